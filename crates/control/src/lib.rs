@@ -1,0 +1,2 @@
+//! Control laws that run in the plant.
+#![no_std]

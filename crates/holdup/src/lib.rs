@@ -1,0 +1,2 @@
+//! holdup designs, proves and simulates control loops of integrating processes with dead time.
+pub mod model;
