@@ -82,7 +82,7 @@ pub enum Status {
     SettingsRejected,
     /// The sample period is not finite and above 0: nothing moved, the output is held.
     SamplePeriodRejected,
-    /// The measurement is not finite, or too large to compute with: automatic holds the output.
+    /// The measurement is not finite, out of its range, or too large to compute with: automatic holds the output.
     MeasurementRejected,
     /// No new measurement for longer than the stale time, or none yet: automatic holds the output.
     MeasurementStale,

@@ -103,6 +103,11 @@ impl<T: Scalar, S: AsRef<[Segment<T>]> + AsMut<[Segment<T>]>> State<T, S> {
         state.setpoint = require::finite("setpoint", setpoint)?;
         state.controlled_variable = require::finite("controlled_variable", controlled_variable)?;
         state.pid.sample = Some(state.seen());
+        if let Some(observer) = settings.law().observer {
+            // At rest it is the load estimate that holds the output, not the integral.
+            let load_estimate = state.assistance() - state.manipulated_variable;
+            state.observer.seat(&observer, controlled_variable, load_estimate);
+        }
         state.seat(state.manipulated_variable);
         // A prediction at rest has nothing under way.
         if !state.law.observer.is_some_and(|observer| observer.predicts()) {

@@ -14,18 +14,23 @@ impl<T: Scalar, S: AsRef<[Segment<T>]> + AsMut<[Segment<T>]>> State<T, S> {
             self.manipulated_variable = settings.limits().within(self.manipulated_variable);
             return self.output(Limited::No, Status::SamplePeriodRejected);
         }
-        let mut status = self.take(input);
 
-        // The time since the last update, with what was applied in it. While nothing limited, the shortfall is 0
-        // and the model is driven by u_pd; otherwise by u_pd + (u_applied − u) = u_applied + D̂.
+        // The time since the last update, with what was applied in it: while nothing limited, the model is driven by
+        // u_pd, otherwise by u_applied + D̂, which leaves out what feed-forward and bias balance.
         let applied =
             input.applied.filter(|applied| applied.is_finite()).unwrap_or(self.manipulated_variable);
-        let shortfall = settings.limits().within(applied) - self.wanted;
+        let shortfall = applied - self.wanted;
         if let Some(observer) = self.law.observer {
-            let drive = self.unassisted + shortfall;
-            let drive = if drive.is_finite() { drive } else { self.manipulated_variable };
+            let mut drive = self.unassisted;
+            if shortfall != T::ZERO {
+                drive = applied + (self.observer.load_estimate - self.assistance());
+            }
+            if !drive.is_finite() {
+                drive = applied;
+            }
             self.observer.advance(&observer, &mut self.line, drive, h);
         }
+        let mut status = self.take(input);
 
         // The measurement.
         let age = self.age;
@@ -35,7 +40,7 @@ impl<T: Scalar, S: AsRef<[Segment<T>]> + AsMut<[Segment<T>]>> State<T, S> {
         }
         let elapsed = self.age.value();
         let late = settings.watch().is_stale(elapsed) || settings.watch().is_stale(h);
-        let new = input.controlled_variable.filter(|measured| measured.is_finite());
+        let new = input.controlled_variable.filter(|measured| settings.watch().accepts(*measured));
         let judged = match (input.controlled_variable, new) {
             (Some(_), None) => Err(Status::MeasurementRejected),
             (None, _) if late || !self.follows => Err(Status::MeasurementStale),
@@ -58,6 +63,9 @@ impl<T: Scalar, S: AsRef<[Segment<T>]> + AsMut<[Segment<T>]>> State<T, S> {
                     self.observer.measure(&observer, controlled_variable, elapsed);
                 }
             }
+            if !by_law {
+                self.pid.forget_setpoint(self.setpoint);
+            }
             self.pid.measure(&self.law.pid, self.seen(), elapsed);
         }
         self.pid.integrate(&self.law.pid, self.setpoint, shortfall, h);
@@ -70,16 +78,18 @@ impl<T: Scalar, S: AsRef<[Segment<T>]> + AsMut<[Segment<T>]>> State<T, S> {
                 self.pid.proportional_derivative(&self.law.pid, self.setpoint) + self.pid.integral.value();
             self.wanted = self.unassisted + (self.assistance() - self.observer.load_estimate);
         }
+        let target = if by_law { self.wanted } else { bumpless };
+        let mut gives_way = !by_law;
         if self.law != *settings.law() {
             if self.fits(settings).is_ok() {
                 self.adopt(settings.law());
-                self.seat(if by_law { self.wanted } else { bumpless });
+                gives_way = true;
             } else {
                 status = Status::SettingsRejected;
             }
         }
-        if !by_law {
-            self.seat(bumpless);
+        if gives_way {
+            self.seat(target);
         }
         if !(self.wanted.is_finite() && self.unassisted.is_finite()) {
             (self.pid, self.observer, self.controlled_variable, self.unassisted, self.wanted) = before;

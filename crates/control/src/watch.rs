@@ -5,7 +5,7 @@ use crate::{Scalar, SettingError};
 
 /// How long a missing measurement is borne, and the output after that.
 ///
-/// A measurement that is not a finite number holds the output at once. A measurement that does not come holds it
+/// A measurement that is not a finite number, or out of its range, holds the output at once. A measurement that does not come holds it
 /// after the stale time. After the failure time without a good measurement the safe output is taken. Absent times
 /// mean: never stale, hold for ever.
 ///
@@ -18,6 +18,7 @@ use crate::{Scalar, SettingError};
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Watch<T> {
+    range: Option<(T, T)>,
     stale_time: Option<T>,
     failure: Option<Failure<T>>,
 }
@@ -32,7 +33,19 @@ impl<T: Scalar> Watch<T> {
     /// Never stale, and a bad measurement holds the output for ever.
     #[must_use]
     pub fn none() -> Self {
-        Self { stale_time: None, failure: None }
+        Self { range: None, stale_time: None, failure: None }
+    }
+
+    /// The same with a range of the measurement [input unit]: one outside it is no measurement.
+    ///
+    /// # Errors
+    /// An end that is not finite; a low end that is not below the high one.
+    pub fn with_range(mut self, low: T, high: T) -> Result<Self, SettingError> {
+        require::finite("measurement_low", low)?;
+        require::finite("measurement_high", high)?;
+        require::that(low < high, "measurement_low", low, "must be below measurement_high")?;
+        self.range = Some((low, high));
+        Ok(self)
     }
 
     /// The same with a stale time [s]: a measurement older than this is no measurement.
@@ -58,6 +71,12 @@ impl<T: Scalar> Watch<T> {
         Ok(self)
     }
 
+    /// Range of the measurement, low and high [input unit].
+    #[must_use]
+    pub fn range(&self) -> Option<(T, T)> {
+        self.range
+    }
+
     /// Stale time [s].
     #[must_use]
     pub fn stale_time(&self) -> Option<T> {
@@ -74,6 +93,11 @@ impl<T: Scalar> Watch<T> {
     #[must_use]
     pub fn safe_output(&self) -> Option<T> {
         self.failure.map(|failure| failure.output)
+    }
+
+    /// True when this is a measurement.
+    pub(crate) fn accepts(&self, measured: T) -> bool {
+        measured.is_finite() && self.range.is_none_or(|(low, high)| low <= measured && measured <= high)
     }
 
     /// True when a measurement of this age [s] is stale.

@@ -40,6 +40,13 @@ impl<T: Scalar> PidState<T> {
         self.sample = Some(new);
     }
 
+    /// The setpoint moved while the law was not in charge: that gives no derivative action later.
+    pub(crate) fn forget_setpoint(&mut self, setpoint: T) {
+        if let Some(sample) = &mut self.sample {
+            sample.setpoint = setpoint;
+        }
+    }
+
     /// The integral moves on by `h` [s]; `shortfall` [output unit] is the output applied in that time less the
     /// one wanted.
     pub(crate) fn integrate(&mut self, pid: &Pid<T>, setpoint: T, shortfall: T, h: T) {
