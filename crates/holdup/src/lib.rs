@@ -1,2 +1,3 @@
 //! holdup designs, proves and simulates control loops of integrating processes with dead time.
 pub mod model;
+pub mod study;
