@@ -1,1 +1,5 @@
 //! What the loop does, exactly.
+
+pub mod bounds;
+pub mod metrics;
+pub mod response;
