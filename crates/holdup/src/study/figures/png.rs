@@ -5,7 +5,7 @@ use super::svg::{FRAME, GRID, PAPER, TEXT};
 use tiny_skia::{Color, FillRule, LineJoin, Paint, Path, PathBuilder, Pixmap, Stroke, StrokeDash, Transform};
 use ttf_parser::{Face, GlyphId, OutlineBuilder};
 
-/// DejaVu Sans, cut down to Latin, Greek, Cyrillic and mathematical signs.
+/// `DejaVu` Sans, cut down to Latin, Greek, Cyrillic and mathematical signs.
 const FONT: &[u8] = include_bytes!("assets/DejaVuSans-subset.ttf");
 
 /// Why no picture came out.
@@ -32,6 +32,19 @@ pub enum PngError {
 ///
 /// # Errors
 /// [`PngError::Scale`] unless `scale` is between 0.1 and 10; [`PngError::Encoding`] when the encoder fails.
+///
+/// # Panics
+/// Never: the font that is compiled in can be read, which a test ensures.
+///
+/// # Examples
+/// ```
+/// use holdup::study::figures::{Axis, Figure, Panel, png};
+///
+/// let panel = Panel::new(Axis::linear("time [s]"), Axis::linear("level [m]"));
+/// let png = png::bytes(&Figure::new("A tank", vec![panel])?, 2.0)?;
+/// assert!(png.starts_with(b"\x89PNG"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn bytes(figure: &Figure, scale: f32) -> Result<Vec<u8>, PngError> {
     let scene = scene::lay_out(figure, true);
     if !(0.1..=10.0).contains(&scale) {
@@ -135,14 +148,14 @@ fn outline(face: &Face<'_>, text: &Text) -> Option<Path> {
     let glyph = |c: char| face.glyph_index(c).unwrap_or(GlyphId(0));
     let advance = |c: char| f32::from(face.glyph_hor_advance(glyph(c)).unwrap_or(0));
     let scale = narrow(text.size) / f32::from(face.units_per_em());
-    let width: f32 = text.text.chars().map(advance).sum();
+    let width: f32 = text.words.chars().map(advance).sum();
     let mut pen = match text.anchor {
         Anchor::Start => 0.0,
         Anchor::Middle => -0.5 * width,
         Anchor::End => -width,
     };
     let mut outline = Outline(PathBuilder::new(), 0.0);
-    for c in text.text.chars() {
+    for c in text.words.chars() {
         outline.1 = pen;
         face.outline_glyph(glyph(c), &mut outline);
         pen += advance(c);
