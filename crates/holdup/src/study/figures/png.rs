@@ -5,7 +5,10 @@ use super::svg::{FRAME, GRID, PAPER, TEXT};
 use tiny_skia::{Color, FillRule, LineJoin, Paint, Path, PathBuilder, Pixmap, Stroke, StrokeDash, Transform};
 use ttf_parser::{Face, GlyphId, OutlineBuilder};
 
-/// `DejaVu` Sans, cut down to Latin, Greek, Cyrillic and mathematical signs.
+/// `DejaVu` Sans, cut down to Latin, Greek, Cyrillic and mathematical signs by fonttools 4:
+/// `pyftsubset DejaVuSans.ttf --unicodes=U+20-7E,U+A0-17F,U+300-30C,U+370-3FF,U+400-45F,U+2010-2027,U+2030-203A,`
+/// `U+2044,U+2070-209C,U+20AC,U+2103,U+2126,U+2190-2195,U+21D2,U+2200-2265,U+25A0-25CF,U+FFFD`
+/// `--layout-features= --no-hinting --notdef-outline`. Its licence lies beside it.
 const FONT: &[u8] = include_bytes!("assets/DejaVuSans-subset.ttf");
 
 /// Why no picture came out.
@@ -154,40 +157,60 @@ fn outline(face: &Face<'_>, text: &Text) -> Option<Path> {
         Anchor::Middle => -0.5 * width,
         Anchor::End => -width,
     };
-    let mut outline = Outline(PathBuilder::new(), 0.0);
+    let mut outline = Outline { path: PathBuilder::new(), x: 0.0, y: 0.0 };
+    let mut base = None;
     for c in text.words.chars() {
-        outline.1 = pen;
+        (outline.x, outline.y) = (pen, 0.0);
+        match (('\u{300}'..='\u{30c}').contains(&c), base, face.glyph_bounding_box(glyph(c))) {
+            (true, Some((middle, top)), Some(mark)) => {
+                // An accent stands over the middle of its letter, as that of D̂ must.
+                outline.x = middle - 0.5 * f32::from(mark.x_min + mark.x_max);
+                outline.y = (top + ACCENT_GAP - f32::from(mark.y_min)).max(0.0);
+            }
+            (_, _, size) => {
+                base =
+                    size.map(|size| (pen + 0.5 * f32::from(size.x_min + size.x_max), f32::from(size.y_max)));
+            }
+        }
         face.outline_glyph(glyph(c), &mut outline);
         pen += advance(c);
     }
     let turned = if text.upright { Transform::from_rotate(-90.0) } else { Transform::identity() };
     // Fonts count upwards, pictures downwards.
     let place = turned.pre_scale(scale, -scale).post_translate(narrow(text.at.0), narrow(text.at.1));
-    outline.0.finish()?.transform(place)
+    outline.path.finish()?.transform(place)
 }
 
-/// A path in the font's units and how far the pen has come.
-struct Outline(PathBuilder, f32);
+/// Height of the gap between a letter and its accent, in the font's units.
+const ACCENT_GAP: f32 = 110.0;
+
+/// A path in the font's units, and where the glyph that is added to it stands.
+struct Outline {
+    path: PathBuilder,
+    x: f32,
+    y: f32,
+}
 
 impl OutlineBuilder for Outline {
     fn move_to(&mut self, x: f32, y: f32) {
-        self.0.move_to(self.1 + x, y);
+        self.path.move_to(self.x + x, self.y + y);
     }
 
     fn line_to(&mut self, x: f32, y: f32) {
-        self.0.line_to(self.1 + x, y);
+        self.path.line_to(self.x + x, self.y + y);
     }
 
     fn quad_to(&mut self, x1: f32, y1: f32, x: f32, y: f32) {
-        self.0.quad_to(self.1 + x1, y1, self.1 + x, y);
+        self.path.quad_to(self.x + x1, self.y + y1, self.x + x, self.y + y);
     }
 
     fn curve_to(&mut self, x1: f32, y1: f32, x2: f32, y2: f32, x: f32, y: f32) {
-        self.0.cubic_to(self.1 + x1, y1, self.1 + x2, y2, self.1 + x, y);
+        let (dx, dy) = (self.x, self.y);
+        self.path.cubic_to(dx + x1, dy + y1, dx + x2, dy + y2, dx + x, dy + y);
     }
 
     fn close(&mut self) {
-        self.0.close();
+        self.path.close();
     }
 }
 
