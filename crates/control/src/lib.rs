@@ -1,4 +1,4 @@
-//! Control laws that run in the plant.
+#![doc = include_str!("../README.md")]
 #![no_std]
 
 mod delay_line;
@@ -17,10 +17,10 @@ mod watch;
 pub use delay_line::{DelayLine, Segment, segments_needed};
 pub use limits::{Limited, Limits};
 pub use observer::{Observer, ObserverState};
-pub use pid::{Pid, PidState, Sample};
+pub use pid::{Action, Pid, PidState, Sample};
 pub use scalar::Scalar;
 pub use setting_error::SettingError;
-pub use settings::{Action, Law, Settings};
+pub use settings::{Law, Settings};
 pub use signals::{Input, Mode, Output, Status};
 pub use state::State;
 pub use sum::Sum;
