@@ -41,7 +41,7 @@ pub(crate) fn a_constant_measurement_brings_the_state_back_to_itself(law: &Law) 
     let settings = law.limited::<f32>(-0.8, 0.8);
     let held = if law.rejects_loads() { -0.3 } else { 0.0 };
     let mut state = State::at_rest(&settings, [Segment::default(); SEGMENTS], 0.7, 0.7, held).unwrap();
-    let mut two_samples = |state: &mut State<f32, Line<f32>>| {
+    let two_samples = |state: &mut State<f32, Line<f32>>| {
         for sample_period in [0.07, 0.11] {
             state.update(&settings, &Input::automatic(sample_period, 0.7, 0.7));
         }
