@@ -4,6 +4,7 @@ pub mod closed_loop;
 pub mod controller;
 pub mod description;
 mod error;
+pub mod events;
 pub mod forms;
 pub mod loop_file;
 pub mod notation;
