@@ -1,6 +1,8 @@
 //! Comparing loops and telling what was found.
 
+pub mod figures;
 mod file;
+pub mod output;
 mod run;
 
 use crate::analysis::response::Scenario;
