@@ -1,1 +1,3 @@
 //! What the loop does, exactly.
+
+pub mod frequency;

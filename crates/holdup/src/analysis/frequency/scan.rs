@@ -1,0 +1,335 @@
+//! One pass over the frequencies that finds every crossover and the highest peaks, with proof.
+//!
+//! Bands of frequency are halved until each question is settled on each of them: the function concerned has no
+//! zero there, or exactly one (which is then polished), or stays below the peak already found. Wide bands are
+//! settled by the [`Envelope`], narrow ones by Taylor polynomials with a bound of their rest.
+
+use super::envelope::Envelope;
+use super::functions::{Bounds, Functions, Peak, Point};
+use super::taylor::{Quadratic, Zeros, zeros};
+
+/// Longest list of phase crossovers.
+pub(super) const LISTED: usize = 32;
+/// Longest list of gain crossovers.
+const GAIN_LISTED: usize = 1000;
+/// Relative difference below which one peak is not told from another; the one kept is polished to rounding.
+const PEAK_TOLERANCE: f64 = 1e-11;
+/// Bands examined before the search is given up and said to be unfinished.
+const WORK: usize = 4_000_000;
+
+/// The questions open on a band of frequencies.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Open {
+    gain: bool,
+    phase: bool,
+    sensitivity: bool,
+    complementary: bool,
+}
+
+impl Open {
+    fn any(self) -> bool {
+        self.gain || self.phase || self.sensitivity || self.complementary
+    }
+}
+
+/// A peak and where it was found; no frequency where it is a limit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Highest {
+    pub(super) value: f64,
+    pub(super) omega: Option<f64>,
+}
+
+/// What the scan found, in radians per dead time.
+#[derive(Debug, Clone)]
+pub(super) struct Findings {
+    pub(super) gain_crossovers: Vec<f64>,
+    /// The first phase crossovers.
+    pub(super) phase_crossovers: Vec<f64>,
+    /// Greatest |L| < 1 over all phase crossovers, and its limit |L(j∞)|.
+    pub(super) below_one: f64,
+    /// Least |L| > 1 over all phase crossovers.
+    pub(super) above_one: Option<f64>,
+    pub(super) sensitivity: Highest,
+    pub(super) complementary: Highest,
+    /// The search was given up from this frequency on.
+    pub(super) unfinished_from: Option<f64>,
+}
+
+pub(super) struct Scan<'a> {
+    functions: &'a Functions,
+    envelope: &'a Envelope,
+    stable: bool,
+    found: Findings,
+    work: usize,
+}
+
+impl<'a> Scan<'a> {
+    pub(super) fn new(functions: &'a Functions, envelope: &'a Envelope, limit: f64, stable: bool) -> Self {
+        // At ω → 0 the integrator makes S = 0 and T = 1; at ω → ∞ |L| is at most `limit`, its supremum.
+        let at_infinity = |numerator: f64| if limit < 1.0 { numerator / (1.0 - limit) } else { 1.0 };
+        let found = Findings {
+            gain_crossovers: Vec::new(),
+            phase_crossovers: Vec::with_capacity(LISTED),
+            below_one: limit.min(1.0),
+            above_one: None,
+            sensitivity: Highest { value: at_infinity(1.0).max(1.0), omega: None },
+            complementary: Highest { value: at_infinity(limit), omega: None },
+            unfinished_from: None,
+        };
+        let mut scan = Self { functions, envelope, stable, found, work: 0 };
+        let origin = functions.at(0.0).peak_value(Peak::Complementary);
+        if origin >= scan.found.complementary.value {
+            scan.found.complementary = Highest { value: origin, omega: Some(0.0) };
+        }
+        scan
+    }
+
+    /// Runs the search from ω = 0 until nothing is open up to infinity.
+    pub(super) fn run(mut self) -> Findings {
+        let (mut from, mut to) = (0.0, 1.0);
+        loop {
+            let all = Open { gain: true, phase: true, sensitivity: self.stable, complementary: self.stable };
+            let open = self.open_by_envelope(all, from, f64::INFINITY);
+            if !open.any() {
+                break;
+            }
+            if self.work > WORK || to > 1e60 {
+                self.found.unfinished_from = Some(from);
+                break;
+            }
+            self.band(from, to, open);
+            from = to;
+            to *= 2.0;
+        }
+        self.polish_peaks();
+        self.found
+    }
+
+    /// What the envelope leaves open on [from, to].
+    fn open_by_envelope(&self, open: Open, from: f64, to: f64) -> Open {
+        let below = |bound: f64| from > 0.0 && self.envelope.gain_is_below(bound, from, to);
+        let found = &self.found;
+        let listed = found.phase_crossovers.len() >= LISTED;
+        let peak = |level: f64| level * (1.0 + PEAK_TOLERANCE);
+        Open {
+            gain: open.gain
+                && found.gain_crossovers.len() < GAIN_LISTED
+                && !below(1.0)
+                && !self.envelope.gain_is_above_one(from, to),
+            phase: open.phase
+                && !(listed && (!self.stable || below(found.below_one * (1.0 + PEAK_TOLERANCE)))),
+            // |S| ≤ 1/(1 − A) and |T| ≤ A/(1 − A) where |L| ≤ A < 1.
+            sensitivity: open.sensitivity && !below(1.0 - 1.0 / peak(found.sensitivity.value)),
+            complementary: open.complementary && {
+                let level = peak(found.complementary.value);
+                !below(level / (1.0 + level))
+            },
+        }
+    }
+
+    fn band(&mut self, from: f64, to: f64, open: Open) {
+        let mut stack = vec![(from, to, open)];
+        while let Some((a, b, open)) = stack.pop() {
+            self.work += 1;
+            if self.work > WORK {
+                return;
+            }
+            let (middle, radius) = (f64::midpoint(a, b), 0.5 * (b - a));
+            let wide = radius * self.functions.longest_delay > 1.0;
+            let listed = self.found.phase_crossovers.len() >= LISTED;
+            let mut open = open;
+            if wide || listed {
+                open = self.open_by_envelope(open, a, b);
+            }
+            if !wide && open.any() {
+                open = self.narrow(a, b, open);
+            }
+            if !open.any() {
+                continue;
+            }
+            if radius <= 2.0 * f64::EPSILON * b || b < 1e-300 {
+                continue;
+            }
+            stack.push((middle, b, open));
+            stack.push((a, middle, open));
+        }
+    }
+
+    /// Settles what Taylor polynomials can settle on [a, b]; returns what stays open.
+    fn narrow(&mut self, a: f64, b: f64, mut open: Open) -> Open {
+        let (middle, radius) = (f64::midpoint(a, b), 0.5 * (b - a));
+        let point = self.functions.at(middle);
+        let bounds = self.functions.bounds(b);
+        if open.gain {
+            let (third, rounding) = bounds.gain_excess();
+            let roots = zeros(point.gain_excess(), third, rounding, radius);
+            open.gain = roots == Zeros::Unknown;
+            if let Some(root) = self.root(roots, a, b, |p| p.gain_excess()) {
+                push_apart(&mut self.found.gain_crossovers, root);
+            }
+        }
+        if open.phase {
+            let (third, rounding) = bounds.direction();
+            let rest = third * radius.powi(3) / 6.0 + rounding;
+            if point.real().range(radius).0 > rest {
+                open.phase = false;
+            } else {
+                let roots = zeros(point.imaginary(), third, rounding, radius);
+                open.phase = roots == Zeros::Unknown;
+                // Next to ω = 0 the function may vanish with the frequency: not a crossing.
+                let vanishing = roots == Zeros::Touching && radius > 1e-3 * b;
+                if let Some(root) = self.root(roots, a, b, |p| p.imaginary()).filter(|_| !vanishing) {
+                    self.phase_crossover(root);
+                }
+            }
+        }
+        if open.sensitivity {
+            open.sensitivity = !self.peak_settled(Peak::Sensitivity, &point, &bounds, radius);
+        }
+        if open.complementary {
+            open.complementary = !self.peak_settled(Peak::Complementary, &point, &bounds, radius);
+        }
+        open
+    }
+
+    /// The one zero of `f` on [a, b), where there is one.
+    fn root(&self, zeros: Zeros, a: f64, b: f64, f: impl Fn(&Point) -> Quadratic) -> Option<f64> {
+        match zeros {
+            Zeros::None | Zeros::Unknown => None,
+            Zeros::Touching => Some(f64::midpoint(a, b)),
+            Zeros::Monotone => {
+                // At ω = 0 a function may vanish without crossing: nothing to list there.
+                let at = |omega: f64| f(&self.functions.at(omega));
+                let (start, end) = (at(a).f, at(b).f);
+                if (a == 0.0 && start == 0.0) || (start >= 0.0) == (end >= 0.0) {
+                    return None;
+                }
+                let mut bracket = if start < 0.0 { (a, b) } else { (b, a) };
+                let mut omega = a + (b - a) * (start / (start - end)).clamp(0.0, 1.0);
+                for _ in 0..100 {
+                    let q = at(omega);
+                    if q.f < 0.0 {
+                        bracket.0 = omega;
+                    } else {
+                        bracket.1 = omega;
+                    }
+                    let newton = omega - q.f / q.df;
+                    let (low, high) = (bracket.0.min(bracket.1), bracket.0.max(bracket.1));
+                    let next =
+                        if newton >= low && newton <= high { newton } else { f64::midpoint(low, high) };
+                    let step = (next - omega).abs();
+                    omega = next;
+                    if step <= 1e-9 * omega && newton == next {
+                        // Newton's next step is below rounding; take it without asking.
+                        let q = at(omega);
+                        let last = omega - q.f / q.df;
+                        return Some(if last >= low && last <= high { last } else { omega });
+                    }
+                    if high - low <= 2.0 * f64::EPSILON * high {
+                        break;
+                    }
+                }
+                Some(omega)
+            }
+        }
+    }
+
+    fn phase_crossover(&mut self, omega: f64) {
+        let point = self.functions.at(omega);
+        if point.direction[0].re >= 0.0 {
+            return;
+        }
+        let gain = point.gain();
+        if gain < 1.0 {
+            self.found.below_one = self.found.below_one.max(gain);
+        } else {
+            let least = self.found.above_one.map_or(gain, |least| least.min(gain));
+            self.found.above_one = Some(least);
+        }
+        if self.found.phase_crossovers.len() < LISTED {
+            push_apart(&mut self.found.phase_crossovers, omega);
+        }
+    }
+
+    fn highest(&mut self, peak: Peak) -> &mut Highest {
+        match peak {
+            Peak::Sensitivity => &mut self.found.sensitivity,
+            Peak::Complementary => &mut self.found.complementary,
+        }
+    }
+
+    fn offer(&mut self, peak: Peak, point: &Point) {
+        let value = point.peak_value(peak);
+        let highest = self.highest(peak);
+        if value > highest.value {
+            *highest = Highest { value, omega: Some(point.omega) };
+        }
+    }
+
+    /// Whether the peak is proven to be no higher on [middle − radius, middle + radius] than the highest found;
+    /// raises the highest found where the band holds a higher one.
+    fn peak_settled(&mut self, peak: Peak, point: &Point, bounds: &Bounds, radius: f64) -> bool {
+        self.offer(peak, point);
+        let mut at = *point;
+        for _ in 0..8 {
+            let level = self.highest(peak).value * (1.0 + PEAK_TOLERANCE);
+            let q = point.below(peak, level);
+            let (third, rounding) = bounds.below(peak, level, point);
+            if q.range(radius).0 > third * radius.powi(3) / 6.0 - rounding {
+                return true;
+            }
+            // Least curvature on the band: where it is positive the function is convex, and lies above its
+            // tangent at any point by that much.
+            let curvature = q.ddf - third * radius;
+            if curvature <= 0.0 {
+                return false;
+            }
+            let here = at.below(peak, level);
+            let noise = bounds.below(peak, level, &at).1;
+            if here.f - 0.5 * here.df * here.df / curvature > -noise {
+                return true;
+            }
+            let target = at.omega - here.df / here.ddf;
+            let next = target.clamp((point.omega - radius).max(0.0), point.omega + radius);
+            if next == at.omega || next.is_nan() {
+                // The least value lies at an end of the band.
+                return here.f > -noise;
+            }
+            at = self.functions.at(next);
+            self.offer(peak, &at);
+        }
+        false
+    }
+
+    /// Newton on the logarithmic derivative from the best points found.
+    fn polish_peaks(&mut self) {
+        for peak in [Peak::Sensitivity, Peak::Complementary] {
+            let Some(mut omega) = self.highest(peak).omega.filter(|&omega| omega > 0.0) else { continue };
+            for _ in 0..6 {
+                let (first, second) = self.functions.at(omega).logarithmic(peak);
+                let next = omega - first / second;
+                if second >= 0.0 || (next - omega).abs() > 1e-2 * omega || next.is_nan() {
+                    break;
+                }
+                let settled = (next - omega).abs() <= 1e-10 * omega;
+                omega = next;
+                if settled {
+                    break;
+                }
+            }
+            let point = self.functions.at(omega);
+            let value = point.peak_value(peak);
+            let highest = self.highest(peak);
+            if value >= highest.value * (1.0 - PEAK_TOLERANCE) && value.is_finite() {
+                *highest = Highest { value: value.max(highest.value), omega: Some(omega) };
+            }
+        }
+    }
+}
+
+/// Appends a zero unless it is the last one found once more (on the border of two bands).
+fn push_apart(list: &mut Vec<f64>, omega: f64) {
+    if list.last().is_none_or(|&last| (omega - last).abs() > 1e-12 * omega) {
+        list.push(omega);
+    }
+}
