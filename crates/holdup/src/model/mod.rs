@@ -10,7 +10,7 @@ pub mod loop_file;
 pub mod notation;
 pub mod process;
 pub mod quantity;
-mod settings;
+pub mod settings;
 pub mod text;
 pub(crate) mod toml_section;
 

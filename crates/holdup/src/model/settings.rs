@@ -45,15 +45,23 @@ pub(crate) struct ControllerSettings {
 
 /// The settings beside the three terms: filters, weights and observer.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(crate) struct Extras {
-    pub(crate) derivative_filter_bandwidth: Option<f64>,
-    pub(crate) filter_time: Option<f64>,
-    pub(crate) observer_gain: Option<f64>,
-    pub(crate) observer_model_gain: Option<f64>,
-    pub(crate) observer_model_dead_time: Option<f64>,
-    pub(crate) setpoint_weight: Option<f64>,
-    pub(crate) derivative_setpoint_weight: Option<f64>,
-    pub(crate) output_filter: Option<(f64, f64)>,
+pub struct Extras {
+    /// Bandwidth N of the derivative filter [rad/s].
+    pub derivative_filter_bandwidth: Option<f64>,
+    /// Time Tf of the derivative filter [s].
+    pub filter_time: Option<f64>,
+    /// Observer gain Ko [input unit / output unit].
+    pub observer_gain: Option<f64>,
+    /// Gain of the observer's model, where it differs from the process's.
+    pub observer_model_gain: Option<f64>,
+    /// Dead time of the observer's model [s], where it differs from the process's.
+    pub observer_model_dead_time: Option<f64>,
+    /// Setpoint weight b of the proportional action [–].
+    pub setpoint_weight: Option<f64>,
+    /// Setpoint weight c of the derivative action [–].
+    pub derivative_setpoint_weight: Option<f64>,
+    /// Coefficients a1 [s] and a2 [s²] of the output filter.
+    pub output_filter: Option<(f64, f64)>,
 }
 
 impl ControllerSettings {
@@ -113,7 +121,10 @@ impl ControllerSettings {
 
 impl Extras {
     /// `controller` with these settings beside its own; what is absent here stays as it is there.
-    pub(crate) fn apply(self, mut controller: Controller) -> Result<Controller, ModelError> {
+    ///
+    /// # Errors
+    /// [`ModelError`] if a setting is out of its range, contradicts another or needs one that is absent.
+    pub fn apply(self, mut controller: Controller) -> Result<Controller, ModelError> {
         let conflict = |name, reason| Err(ModelError::Conflict { name, reason });
         let has_derivative = controller.derivative_time().is_some();
         match (self.derivative_filter_bandwidth, self.filter_time) {

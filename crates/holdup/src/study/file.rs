@@ -29,8 +29,7 @@
 use std::collections::BTreeSet;
 
 use super::{Choice, Family, Study, StudyController, StudyScenario};
-use crate::analysis::response::Scenario;
-use crate::model::events::{check_horizon, check_order, check_positive};
+use crate::analysis::response::{Scenario, ScenarioError};
 use crate::model::loop_file::{controller_section, extra_keys, extras_section, process_section, term_keys};
 use crate::model::text::{Problem, TextError};
 use crate::model::toml_section::{Document, Section};
@@ -105,26 +104,43 @@ fn named(section: &Section<'_>) -> Result<String, TextError> {
 fn scenario(section: &Section<'_>) -> Result<StudyScenario, TextError> {
     section.only(&["name", "about", "setpoint", "load", "horizon_s", "initial"])?;
     let horizon = section.require_number("horizon_s")?;
-    check_positive("horizon_s", horizon).map_err(|error| section.error("horizon_s", error.problem))?;
-    let events = |key: &str| {
-        let events = section.pairs(key)?.unwrap_or_default();
-        check_order(key, &events)
-            .and_then(|()| check_horizon(key, &events, horizon))
-            .map_err(|error| section.error(key, error.problem))?;
-        Ok::<_, TextError>(events)
+    let (setpoint, load) = (section.pairs("setpoint")?, section.pairs("load")?);
+    let setpoint = match (setpoint, &load) {
+        (None, None) => vec![(0.0, 1.0)],
+        (setpoint, _) => setpoint.unwrap_or_default(),
     };
-    let (mut setpoint, load) = (events("setpoint")?, events("load")?);
-    if setpoint.is_empty() && load.is_empty() && !section.has("setpoint") && !section.has("load") {
-        setpoint.push((0.0, 1.0));
-    }
     let initial = section.number("initial")?.unwrap_or(0.0);
-    let scenario = Scenario::new(setpoint, load, Seconds(horizon), initial)
-        .map_err(|error| section.error("horizon_s", Problem::Conflict { reason: error.to_string().into() }))?;
+    let scenario = Scenario::new(setpoint, load.unwrap_or_default(), Seconds(horizon), initial)
+        .map_err(|error| scenario_error(section, &error))?;
     Ok(StudyScenario { name: named(section)?, about: section.text("about")?, scenario })
 }
 
-fn controller(section: &Section<'_>, process: &Process, scenarios: &[&str]) -> Result<StudyController, TextError> {
-    let keys = [&["name", "about", "rule", "parameters", "scenarios"][..], term_keys(), extra_keys()].concat();
+/// The refusal of a scenario, under the key of the file.
+fn scenario_error(section: &Section<'_>, error: &ScenarioError) -> TextError {
+    let key = |option: &'static str| if option == "horizon" { "horizon_s" } else { option };
+    match *error {
+        ScenarioError::OutOfRange { option, value, allowed } => {
+            section.refuse(key(option), &value.to_string(), allowed)
+        }
+        ScenarioError::NotIncreasing { option, value, previous } => {
+            let allowed = format!("later than the event before it, at {previous} s: times increase");
+            section.refuse(key(option), &format!("at {value} s"), allowed)
+        }
+        ScenarioError::BeyondHorizon { option, value, horizon } => section.refuse(
+            key(option),
+            &format!("at {value} s"),
+            format!("before the horizon of {horizon} s"),
+        ),
+    }
+}
+
+fn controller(
+    section: &Section<'_>,
+    process: &Process,
+    scenarios: &[&str],
+) -> Result<StudyController, TextError> {
+    let keys =
+        [&["name", "about", "rule", "parameters", "scenarios"][..], term_keys(), extra_keys()].concat();
     section.only(&keys)?;
     let name = named(section)?;
     let choice = if section.has("rule") {
@@ -140,7 +156,9 @@ fn controller(section: &Section<'_>, process: &Process, scenarios: &[&str]) -> R
             return Err(section.error("parameters", Problem::Conflict { reason }));
         }
         if !section.has("proportional_gain") {
-            return Err(section.missing("proportional_gain", "a finite number other than 0, or rule must be given"));
+            return Err(
+                section.missing("proportional_gain", "a finite number other than 0, or rule must be given")
+            );
         }
         Choice::Settings(controller_section(section)?)
     };
@@ -205,7 +223,12 @@ fn check_rule(
     })
 }
 
-fn known_scenario(section: &Section<'_>, key: &str, wanted: &str, scenarios: &[&str]) -> Result<(), TextError> {
+fn known_scenario(
+    section: &Section<'_>,
+    key: &str,
+    wanted: &str,
+    scenarios: &[&str],
+) -> Result<(), TextError> {
     if scenarios.contains(&wanted) {
         return Ok(());
     }

@@ -10,6 +10,10 @@ use crate::model::settings::Extras;
 use crate::model::{Controller, Process};
 
 pub use file::read_study;
+pub use run::{
+    ControllerResult, End, FamilyResult, Member, PercentOfBest, Row, ScenarioResult, StudyError,
+    StudyProblem, StudyResult, run_study,
+};
 
 /// Several controllers on several scenarios, for one process.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,5 +1,7 @@
 //! Running a study: every controller on its scenarios, as plain data. Reports are views of it.
 
+use std::collections::BTreeMap;
+
 use serde::Serialize;
 use thiserror::Error;
 
@@ -156,7 +158,7 @@ pub struct ControllerResult {
     /// The rule it comes from.
     pub rule: Option<&'static str>,
     /// The parameters that were set.
-    pub parameters: Vec<(String, f64)>,
+    pub parameters: BTreeMap<String, f64>,
     /// Its settings; null where no controller meets what was asked.
     pub controller: Option<ControllerDescription>,
     /// What was asked for, where it comes from a rule.
@@ -288,7 +290,7 @@ fn result_of(process: &Process, given: &StudyController) -> Result<ControllerRes
             };
             let controller = extras.apply(tuning.controller)?;
             let result = achieved(process, name, about, &controller, Some(tuning))?;
-            Ok(ControllerResult { parameters: parameters.clone(), ..result })
+            Ok(ControllerResult { parameters: parameters.iter().cloned().collect(), ..result })
         }
     }
 }
@@ -308,7 +310,7 @@ fn no_controller(
         name,
         about,
         rule: Some(infeasible.rule),
-        parameters: parameters.to_vec(),
+        parameters: parameters.iter().cloned().collect(),
         controller: None,
         specification: Some(infeasible.asked),
         achieved: None,
@@ -342,7 +344,7 @@ fn achieved(
         name,
         about,
         rule: tuning.as_ref().map(|tuning| tuning.rule),
-        parameters: Vec::new(),
+        parameters: BTreeMap::new(),
         controller: Some(description),
         specification: tuning.map(|tuning| tuning.specification),
         achieved: Some(achieved),
