@@ -341,4 +341,16 @@ impl Parameter {
     pub const fn asks(self, property: Property) -> Self {
         Self { asks: Some(property), ..self }
     }
+
+    /// The same under another name.
+    #[must_use]
+    pub const fn named(self, name: &'static str, description: &'static str) -> Self {
+        Self { name, description, ..self }
+    }
+
+    /// The same, asking for no property of the loop.
+    #[must_use]
+    pub const fn no_goal(self) -> Self {
+        Self { asks: None, ..self }
+    }
 }

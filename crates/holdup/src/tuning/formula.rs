@@ -38,7 +38,8 @@ pub fn by_formula(entry: &'static Entry, _: &Process, values: &Values<'_>) -> Re
 /// # Errors
 /// [`RuleError::Setting`] if they are no controller, for example because a number has overflowed.
 pub fn from_settings(entry: &'static Entry, values: &Values<'_>) -> Result<Tuning, RuleError> {
-    let setting = |name: &str| values.computed().iter().find(|(n, _)| *n == name).map(|(_, value)| *value);
+    let setting =
+        |name: &str| values.computed().iter().rev().find(|(n, _)| *n == name).map(|(_, value)| *value);
     let controller = controller(entry.form, values.sign(), &setting)
         .map_err(|error| RuleError::Setting { rule: entry.id, error })?;
     let settings = SETTINGS.iter().filter_map(|&(name, unit)| {

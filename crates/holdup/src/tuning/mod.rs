@@ -18,6 +18,7 @@ use crate::model::Controller;
 
 mod entry;
 mod error;
+mod exact;
 mod expression;
 mod formula;
 mod nearest;

@@ -4,7 +4,9 @@
 
 use super::Entry;
 
+mod dob_exact;
 mod dob_kadam;
+mod pd_exact;
 mod pd_kadam;
 mod pi_simc;
 mod pid_ali_majhi;
@@ -15,7 +17,9 @@ mod pid_wang_cluett_z1;
 /// Every rule.
 #[rustfmt::skip]
 pub(super) static REGISTRY: &[&Entry] = &[
+    &dob_exact::ENTRY,
     &dob_kadam::ENTRY,
+    &pd_exact::ENTRY,
     &pd_kadam::ENTRY,
     &pi_simc::ENTRY,
     &pid_ali_majhi::ENTRY,
