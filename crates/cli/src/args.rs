@@ -7,11 +7,16 @@ use clap::{Args, Parser, Subcommand};
 
 /// Design, prove and simulate control loops of integrating processes with dead time, exactly.
 #[derive(Debug, Parser)]
-#[command(name = "holdup", version, max_term_width = 100, after_help = "\
+#[command(
+    name = "holdup",
+    version,
+    max_term_width = 100,
+    after_help = "\
 Example:
   holdup analyse -p K=0.0506,d=6 -c Kc=1.5321,Td=1.0343
 
-Exit status: 0 success, 1 a --require that the result does not meet, 2 bad input.")]
+Exit status: 0 success, 1 a --require that the result does not meet, 2 bad input."
+)]
 pub(crate) struct Cli {
     /// What to do.
     #[command(subcommand)]
@@ -68,15 +73,15 @@ Example:
     #[command(after_help = "Example:\n  holdup reproduce kadam-2017")]
     Reproduce(ReproduceArgs),
     /// Write the completion script of a shell to standard output
-    #[command(after_help = "Example:\n  holdup completions bash > ~/.local/share/bash-completion/completions/holdup")]
+    #[command(
+        after_help = "Example:\n  holdup completions bash > ~/.local/share/bash-completion/completions/holdup"
+    )]
     Completions(CompletionsArgs),
     /// Write the manual page to standard output
     #[command(after_help = "Example:\n  holdup man > holdup.1 && man ./holdup.1")]
     Man,
 }
 
-/// A process, given compactly.
-pub(crate) const PROCESS_HELP: &str = "The process: K=…,d=…[,T=…][,integrators=2]";
 
 /// The loop: compact strings or a file.
 #[derive(Debug, Args)]

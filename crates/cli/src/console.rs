@@ -25,7 +25,8 @@ impl Console {
     /// The console that this process writes to.
     pub(crate) fn of_process(json: bool) -> Self {
         let terminal = io::stdout().is_terminal();
-        let width = terminal.then(terminal_size::terminal_size).flatten().map(|(width, _)| usize::from(width.0));
+        let width =
+            terminal.then(terminal_size::terminal_size).flatten().map(|(width, _)| usize::from(width.0));
         let colour = terminal && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
         Self { json, width: width.unwrap_or(PLAIN_WIDTH).clamp(40, 200), colour }
     }

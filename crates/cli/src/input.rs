@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use holdup::analysis::response::Scenario;
-use holdup::model::events::{check_horizon, check_positive, read_events};
+use holdup::model::events::read_events;
 use holdup::model::loop_file::read_loop;
 use holdup::model::notation::{read_controller, read_process};
 use holdup::model::quantity::{read_number, read_time};
@@ -42,13 +42,16 @@ pub(crate) fn process(given: Option<&String>) -> Result<Process, Fault> {
 /// The loop of `--process` and `--controller`, or of a file.
 pub(crate) fn closed_loop(args: &LoopArgs) -> Result<(Process, Controller), Fault> {
     let file = match (&args.file, &args.loop_file) {
-        (Some(_), Some(_)) => return Err(Fault::input("--loop: a loop file is given already: must be given once")),
+        (Some(_), Some(_)) => {
+            return Err(Fault::input("--loop: a loop file is given already: must be given once"));
+        }
         (one, other) => one.as_ref().or(other.as_ref()),
     };
     let Some(path) = file else {
         let process = process(args.process.as_ref())?;
         let text = args.controller.as_ref();
-        let text = text.ok_or_else(|| Fault::input("--controller is missing: must be such as -c Kc=2.95,Ti=15,Td=3"))?;
+        let text = text
+            .ok_or_else(|| Fault::input("--controller is missing: must be such as -c Kc=2.95,Ti=15,Td=3"))?;
         return Ok((process, read_controller(text).map_err(|error| Fault::option("--controller", error))?));
     };
     for (option, given) in [("--process", &args.process), ("--controller", &args.controller)] {
@@ -74,9 +77,7 @@ pub(crate) fn scenario(args: &ScenarioArgs, process: &Process) -> Result<Scenari
         Some(text) => read_time("--horizon", text).map_err(Fault::input)?,
         None => last + DEAD_TIMES * process.dead_time(),
     };
-    check_positive("--horizon", horizon).map_err(Fault::input)?;
-    check_horizon("--setpoint", &setpoint, horizon).map_err(Fault::input)?;
-    check_horizon("--load", &load, horizon).map_err(Fault::input)?;
-    let initial = args.initial.as_ref().map_or(Ok(0.0), |text| read_number("--initial", text)).map_err(Fault::input)?;
+    let initial =
+        args.initial.as_ref().map_or(Ok(0.0), |text| read_number("--initial", text)).map_err(Fault::input)?;
     Scenario::new(setpoint, load, Seconds(horizon), initial).map_err(Fault::input)
 }

@@ -46,7 +46,10 @@ fn no_command(error: &clap::Error) -> Result<ExitCode, Fault> {
     }
     let command = Cli::command();
     let long = |command: &clap::Command| {
-        command.get_arguments().filter_map(|argument| argument.get_long().map(str::to_owned)).collect::<Vec<_>>()
+        command
+            .get_arguments()
+            .filter_map(|argument| argument.get_long().map(str::to_owned))
+            .collect::<Vec<_>>()
     };
     let given: Vec<String> = std::env::args_os().filter_map(|word| word.into_string().ok()).collect();
     let chosen = command.get_subcommands().find(|sub| given.iter().any(|word| word == sub.get_name()));
@@ -74,7 +77,8 @@ fn run(cli: &Cli) -> Result<ExitCode, Fault> {
     }
     let code = if unmet.is_empty() { ExitCode::SUCCESS } else { ExitCode::from(UNMET) };
     let shown = if console.json {
-        let text = serde_json::to_string_pretty(&json).map_err(|error| Fault::input(format!("JSON: {error}")))?;
+        let text =
+            serde_json::to_string_pretty(&json).map_err(|error| Fault::input(format!("JSON: {error}")))?;
         print(&(text + "\n"))
     } else {
         print(&text)

@@ -42,13 +42,19 @@ impl Requirement {
     pub(crate) fn read(text: &str) -> Result<Self, Fault> {
         let refused = |what: &str| {
             let given = one_line(text);
-            Fault::option("--require", format!("'{given}' {what}: must be such as 'gain_margin>=2', with >=, <=, >, < or =="))
+            Fault::option(
+                "--require",
+                format!("'{given}' {what}: must be such as 'gain_margin>=2', with >=, <=, >, < or =="),
+            )
         };
         let start = text.find(['>', '<', '=']).ok_or_else(|| refused("has no comparison"))?;
         let (name, rest) = text.split_at(start);
-        let (sign, comparison) =
-            SIGNS.into_iter().find(|(sign, _)| rest.starts_with(sign)).ok_or_else(|| refused("has no comparison"))?;
-        let value = read_number("value", rest[sign.len()..].trim()).map_err(|_| refused("compares with no finite number"))?;
+        let (sign, comparison) = SIGNS
+            .into_iter()
+            .find(|(sign, _)| rest.starts_with(sign))
+            .ok_or_else(|| refused("has no comparison"))?;
+        let value = read_number("value", rest[sign.len()..].trim())
+            .map_err(|_| refused("compares with no finite number"))?;
         let name = name.trim();
         if name.is_empty() {
             return Err(refused("names no field"));
@@ -80,7 +86,9 @@ impl Requirement {
         let wanted: Vec<&str> = self.name.split('.').collect();
         let ends = |field: &&Field| {
             let start = field.path.len().checked_sub(wanted.len());
-            start.is_some_and(|start| field.path[start..].iter().zip(&wanted).all(|(step, name)| step.is(name)))
+            start.is_some_and(|start| {
+                field.path[start..].iter().zip(&wanted).all(|(step, name)| step.is(name))
+            })
         };
         let whole = fields.iter().find(|field| field.path.len() == wanted.len() && ends(field));
         if let Some(field) = whole {
@@ -97,14 +105,20 @@ impl Requirement {
             (Some(only), None) => Ok((only.name(), only.value)),
             (Some(first), Some(second)) => Err(Fault::option(
                 "--require",
-                format!("'{}' names several fields: must be one of {}, {}, …", one_line(&self.name), first.name(), second.name()),
+                format!(
+                    "'{}' names several fields: must be one of {}, {}, …",
+                    one_line(&self.name),
+                    first.name(),
+                    second.name()
+                ),
             )),
             (None, _) => Err(self.unknown(fields)),
         }
     }
 
     fn unknown(&self, fields: &[Field]) -> Fault {
-        let mut names: Vec<&str> = fields.iter().filter_map(|field| field.path.last()).map(|step| step.key.as_str()).collect();
+        let mut names: Vec<&str> =
+            fields.iter().filter_map(|field| field.path.last()).map(|step| step.key.as_str()).collect();
         names.sort_unstable();
         names.dedup();
         let last = self.name.rsplit('.').next().unwrap_or_default();
@@ -112,7 +126,10 @@ impl Requirement {
             Some(found) => format!(": did you mean '{found}'?"),
             None => format!(": must be one of {}", names.join(", ")),
         };
-        Fault::option("--require", format!("the result has no numeric field '{}'{hint}", one_line(&self.name)))
+        Fault::option(
+            "--require",
+            format!("the result has no numeric field '{}'{hint}", one_line(&self.name)),
+        )
     }
 }
 
@@ -160,7 +177,9 @@ fn leaves(value: &Value, path: &mut Vec<Step>, fields: &mut Vec<Field>) {
             enter(index.to_string(), title.map(str::to_owned), item);
         }),
         Value::Number(number) => fields.push(Field { path: path.clone(), value: number.as_f64() }),
-        Value::Bool(truth) => fields.push(Field { path: path.clone(), value: Some(f64::from(u8::from(*truth))) }),
+        Value::Bool(truth) => {
+            fields.push(Field { path: path.clone(), value: Some(f64::from(u8::from(*truth))) })
+        }
         Value::Null => fields.push(Field { path: path.clone(), value: None }),
         Value::String(_) => {}
     }

@@ -60,8 +60,16 @@ mod tests {
     #[test]
     fn numbers_keep_four_digits_whatever_their_size() {
         for (value, text) in [
-            (3.853_94, "3.854"), (0.000_123_456, "0.0001235"), (4351.4, "4351"), (999.96, "1000"), (67.861, "67.86"),
-            (1.2e9, "1.200e9"), (-0.5, "-0.5000"), (0.0, "0"), (f64::INFINITY, "∞"), (123_456.0, "123456"),
+            (3.853_94, "3.854"),
+            (0.000_123_456, "0.0001235"),
+            (4351.4, "4351"),
+            (999.96, "1000"),
+            (67.861, "67.86"),
+            (1.2e9, "1.200e9"),
+            (-0.5, "-0.5000"),
+            (0.0, "0"),
+            (f64::INFINITY, "∞"),
+            (123_456.0, "123456"),
         ] {
             assert_eq!(number(value), text);
         }
@@ -71,7 +79,8 @@ mod tests {
     #[test]
     fn a_table_fits_its_console() {
         let console = Console { json: false, width: 40, colour: false };
-        let rows = vec![vec!["a name that is much longer than the console is wide".to_owned(), "1.0".to_owned()]];
+        let rows =
+            vec![vec!["a name that is much longer than the console is wide".to_owned(), "1.0".to_owned()]];
         assert!(table(console, &["controller", "IAE"], &rows).lines().all(|line| line.chars().count() <= 40));
     }
 }

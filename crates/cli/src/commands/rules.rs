@@ -68,7 +68,7 @@ fn json_of(entry: &'static Entry) -> Value {
 
 /// Whether every published value is reproduced; null where its source prints none.
 fn reproduced(entry: &'static Entry) -> Value {
-    match entry.published_values() {
+    match entry.judge() {
         Ok(values) if values.is_empty() => Value::Null,
         Ok(values) => json!(values.iter().all(|value| value.reproduced)),
         Err(_) => json!(false),

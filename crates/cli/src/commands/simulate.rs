@@ -1,9 +1,9 @@
 //! `holdup simulate`: one loop on one scenario.
 
 use holdup::analysis::bounds::Bounds;
-use holdup::analysis::response::{Scenario, Trajectory, simulate, trajectory};
+use holdup::analysis::response::{Scenario, Trajectory, plot_times, simulate, trajectory};
 use holdup::model::quantity::{read_number, read_time};
-use holdup::model::{ClosedLoop, Controller, Process};
+use holdup::model::{ClosedLoop, Controller};
 use holdup::study::PercentOfBest;
 use holdup::study::figures::terminal;
 use serde_json::json;
@@ -41,25 +41,34 @@ pub(crate) fn run(args: &SimulateArgs, console: Console) -> Result<Answer, Fault
             "controlled_variable": response.final_controlled_variable,
             "manipulated_variable": response.final_manipulated_variable,
         },
-        "overflow_at_s": response.overflow_at,
+        "overflow_at_s": response.overflow_at.map(|time| time.0),
         "horizon_s": scenario.horizon(),
         "warnings": warnings,
     });
     let draw = |times: &[f64]| trajectory(&closed, &scenario, times).map_err(Fault::input);
     let mut files = Vec::new();
     if args.csv.is_some() || args.plot.is_some() {
-        let run = draw(&times)?;
         if let Some(path) = &args.csv {
-            files.push((path.clone(), csv(&scenario, &run)));
+            files.push((path.clone(), csv(&draw(&times)?)));
         }
         if let Some(path) = &args.plot {
-            let figure = figure(&controller, &scenario, run)?;
+            let times = if args.points.is_some() || args.step.is_some() {
+                times
+            } else {
+                plot_times(&closed, &scenario, POINTS)
+            };
+            let figure = figure(&controller, &scenario, draw(&times)?)?;
             files.push((path.clone(), figure_file(path, &figure)?));
         }
     }
     let mut text = String::new();
     if !console.json {
-        text = format!("{}\non {}, to {} s\n\n", controller_line(&controller), process_line(&process), number(scenario.horizon()));
+        text = format!(
+            "{}\non {}, to {} s\n\n",
+            controller_line(&controller),
+            process_line(&process),
+            number(scenario.horizon())
+        );
         let rows = METRICS.iter().map(|(name, pick)| {
             let (bound, percent) = match *name {
                 "IAE" => (bounds.iae, percent_of_best.iae),
@@ -70,22 +79,22 @@ pub(crate) fn run(args: &SimulateArgs, console: Console) -> Result<Answer, Fault
             };
             vec![(*name).to_owned(), pick(&response.metrics), number(bound), number(percent)]
         });
-        text += &table(console, &["", "this loop", "no controller beats", "% of best possible"], &rows.collect::<Vec<_>>());
+        text += &table(
+            console,
+            &["", "this loop", "no controller beats", "% of best possible"],
+            &rows.collect::<Vec<_>>(),
+        );
         text += &format!(
             " at the end: y = {}, u = {}\n\n",
             number(response.final_controlled_variable),
             number(response.final_manipulated_variable)
         );
-        let seen = evenly(0.0, scenario.horizon(), 2 * console.width);
-        text += &terminal::chart(&figure(&controller, &scenario, draw(&seen)?)?, console.width, console.colour);
+        let seen = plot_times(&closed, &scenario, 4 * console.width);
+        text +=
+            &terminal::chart(&figure(&controller, &scenario, draw(&seen)?)?, console.width, console.colour);
     }
-    let told = told(&process, &response.warnings);
-    Ok(Answer { json, text, warnings: told, files })
-}
-
-/// Why a bound is absent is said in the JSON; on standard error only what concerns the run.
-fn told(_: &Process, warnings: &[String]) -> Vec<String> {
-    warnings.to_vec()
+    // Why a bound is absent is said in the JSON; on standard error only what concerns the run.
+    Ok(Answer { json, text, warnings: response.warnings, files })
 }
 
 fn figure(
@@ -102,11 +111,14 @@ fn times(args: &SimulateArgs, horizon: f64) -> Result<Vec<f64>, Fault> {
     if let Some(text) = &args.step {
         let step = read_time("--step", text).map_err(Fault::input)?;
         if !(step > 0.0 && step <= horizon && horizon / step < GREATEST) {
-            let allowed = format!("greater than 0, at most the horizon of {horizon} s, and give at most {GREATEST} times");
+            let allowed = format!(
+                "greater than 0, at most the horizon of {horizon} s, and give at most {GREATEST} times"
+            );
             return Err(Fault::input(format!("--step is {text}: must be {allowed}")));
         }
         // The horizon itself is always the last time.
-        let mut times: Vec<f64> = (0_u32..).map(|k| f64::from(k) * step).take_while(|t| *t < horizon).collect();
+        let mut times: Vec<f64> =
+            (0_u32..).map(|k| f64::from(k) * step).take_while(|t| *t < horizon).collect();
         times.push(horizon);
         return Ok(times);
     }
@@ -120,24 +132,24 @@ fn times(args: &SimulateArgs, horizon: f64) -> Result<Vec<f64>, Fault> {
 }
 
 /// So many times from `start` to `end`, both included.
-pub(crate) fn evenly(start: f64, end: f64, count: usize) -> Vec<f64> {
+fn evenly(start: f64, end: f64, count: usize) -> Vec<f64> {
     let last = u32::try_from(count.max(2) - 1).unwrap_or(u32::MAX);
     let between = |k: u32| start + (end - start) * (f64::from(k) / f64::from(last));
     (0..=last).map(|k| if k == last { end } else { between(k) }).collect()
 }
 
 /// The trajectory as CSV; what is not a finite number is an empty cell.
-fn csv(scenario: &Scenario, run: &Trajectory) -> Vec<u8> {
-    let mut bytes = Vec::with_capacity(run.times.len() * 96 + 96);
+fn csv(run: &Trajectory) -> Vec<u8> {
+    let mut bytes = Vec::with_capacity(run.time.len() * 96 + 96);
     bytes.extend_from_slice(b"t,setpoint,controlled_variable,manipulated_variable,load,load_estimate\n");
     let mut buffer = zmij::Buffer::new();
-    for (index, &time) in run.times.iter().enumerate() {
+    for (index, &time) in run.time.iter().enumerate() {
         let cells = [
             Some(time),
-            Some(scenario.setpoint_at(time)),
+            run.setpoint.get(index).copied(),
             run.controlled_variable.get(index).copied(),
             run.manipulated_variable.get(index).copied(),
-            Some(scenario.load_at(time)),
+            run.load.get(index).copied(),
             run.load_estimate.as_ref().and_then(|estimate| estimate.get(index).copied()),
         ];
         for (column, cell) in cells.into_iter().enumerate() {

@@ -6,7 +6,9 @@ use holdup::model::description::ControllerDescription;
 use holdup::model::quantity::{read_angle, read_any, read_number, read_rate, read_time};
 use holdup::model::{ClosedLoop, Controller, Process, Radians, Seconds, TextError};
 use holdup::study::PercentOfBest;
-use holdup::tuning::{Entry, Infeasible, Parameters, RuleError, Specification, Status, Tuning, Unit, rule, rules};
+use holdup::tuning::{
+    Entry, Infeasible, Parameters, RuleError, Specification, Status, Tuning, Unit, rule, rules,
+};
 use serde_json::{Value, json};
 
 use super::view::{controller_line, margins_table, process_line};
@@ -52,7 +54,8 @@ fn one(id: &str, set: &[String], process: &Process, console: Console) -> Result<
 
 /// `NAME=VALUE`, the value in the unit of the parameter.
 fn assignment(entry: &Entry, text: &str) -> Result<(String, f64), Fault> {
-    let refused = || Fault::option("--set", format!("'{}' must be NAME=VALUE", holdup::model::text::one_line(text)));
+    let refused =
+        || Fault::option("--set", format!("'{}' must be NAME=VALUE", holdup::model::text::one_line(text)));
     let (name, value) = text.split_once('=').ok_or_else(refused)?;
     let parameter = entry.parameters.iter().find(|parameter| parameter.name == name);
     let read: fn(&str, &str) -> Result<f64, TextError> = match parameter.map(|parameter| parameter.unit) {
@@ -110,14 +113,16 @@ impl Tuned {
 
     fn text(&self, process: &Process, entry: &Entry, console: Console) -> String {
         let mut text = title(console, &controller_line(&self.tuning.controller));
-        text += &format!("by {} ({}, {})\non {}\n", entry.id, entry.authors, entry.year, process_line(process));
+        text +=
+            &format!("by {} ({}, {})\non {}\n", entry.id, entry.authors, entry.year, process_line(process));
         let published = &self.tuning.published;
         if !published.settings.is_empty() {
             let settings = published.settings.iter().map(|setting| {
                 let unit = if setting.unit.is_empty() { String::new() } else { format!(" {}", setting.unit) };
                 format!("{} = {}{unit}", setting.name, number(setting.value))
             });
-            text += &format!("as published: {} ({})\n", settings.collect::<Vec<_>>().join(", "), published.form);
+            text +=
+                &format!("as published: {} ({})\n", settings.collect::<Vec<_>>().join(", "), published.form);
         }
         text.push('\n');
         text += &asked_and_achieved(&self.tuning.specification, &self.achieved, console);
@@ -127,11 +132,19 @@ impl Tuned {
         }
         if !self.tuning.trade_off.is_empty() {
             let row = |point: &holdup::tuning::TradeOff| {
-                vec![number(point.observer_gain), number(point.sensitivity_peak), number(point.load_integral_error)]
+                vec![
+                    number(point.observer_gain),
+                    number(point.sensitivity_peak),
+                    number(point.load_integral_error),
+                ]
             };
             let rows: Vec<_> = self.tuning.trade_off.iter().map(row).collect();
             text.push('\n');
-            text += &table(console, &["observer gain Ko", "M_s of the whole loop", "IE after a unit load"], &rows);
+            text += &table(
+                console,
+                &["observer gain Ko", "M_s of the whole loop", "IE after a unit load"],
+                &rows,
+            );
         }
         text
     }
@@ -237,7 +250,10 @@ fn all(process: &Process, console: Console) -> Result<Answer, Fault> {
     let applicable = rules().iter().copied().filter(|entry| entry.applies(process));
     let mut ranked: Vec<Ranked> = applicable.filter_map(|entry| Ranked::of(entry, process)).collect();
     if ranked.is_empty() {
-        return Err(Fault::option("--process", "no rule gives a controller for this process; see 'holdup rules'"));
+        return Err(Fault::option(
+            "--process",
+            "no rule gives a controller for this process; see 'holdup rules'",
+        ));
     }
     ranked.sort_by(|a, b| a.class().cmp(&b.class()).then(b.score().total_cmp(&a.score())));
     let json = ranked.iter().map(|ranked| {
@@ -253,7 +269,8 @@ fn all(process: &Process, console: Console) -> Result<Answer, Fault> {
             process_line(process)
         );
         let rows: Vec<Vec<String>> = ranked.iter().map(row).collect();
-        let heading = ["rule", "Kc", "Ti [s]", "Td [s]", "A_m", "φ_m [°]", "M_s", "setpoint IAE [%]", "load IAE [%]"];
+        let heading =
+            ["rule", "Kc", "Ti [s]", "Td [s]", "A_m", "φ_m [°]", "M_s", "setpoint IAE [%]", "load IAE [%]"];
         text += &table(console, &heading, &rows);
     }
     Ok(Answer { json, text, ..Answer::default() })

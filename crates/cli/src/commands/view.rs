@@ -16,12 +16,17 @@ use crate::table::{number, percent, table};
 pub(crate) fn process_line(process: &Process) -> String {
     let lag = process.lag().map_or_else(String::new, |lag| format!(", lag {} s", number(lag)));
     let power = if process.integrators() == 1 { "/s" } else { "/s²" };
-    format!("process gain {} {power}, dead time {} s{lag}", number(process.process_gain()), number(process.dead_time()))
+    format!(
+        "process gain {} {power}, dead time {} s{lag}",
+        number(process.process_gain()),
+        number(process.dead_time())
+    )
 }
 
 /// The controller in one line.
 pub(crate) fn controller_line(controller: &Controller) -> String {
-    let mut parts = vec![format!("{}: Kc = {}", controller.structure(), number(controller.proportional_gain()))];
+    let mut parts =
+        vec![format!("{}: Kc = {}", controller.structure(), number(controller.proportional_gain()))];
     let mut add = |name: &str, value: Option<f64>, unit: &str| {
         parts.extend(value.map(|value| format!("{name} = {}{unit}", number(value))));
     };
@@ -65,7 +70,9 @@ pub(crate) fn margins_table(console: Console, columns: &[(&str, &Margins)]) -> S
     let heading: Vec<&str> = std::iter::once("").chain(columns.iter().map(|(name, _)| *name)).collect();
     let rows: Vec<Vec<String>> = rows
         .iter()
-        .map(|(name, pick)| std::iter::once((*name).to_owned()).chain(columns.iter().map(|(_, m)| pick(m))).collect())
+        .map(|(name, pick)| {
+            std::iter::once((*name).to_owned()).chain(columns.iter().map(|(_, m)| pick(m))).collect()
+        })
         .collect();
     table(console, &heading, &rows)
 }
@@ -88,9 +95,9 @@ pub(crate) const METRICS: [(&str, fn(&Metrics) -> String); 10] = [
     ("energy ∫u²", |m| number(m.control_energy)),
     ("total variation", |m| number(m.total_variation)),
     ("overshoot [%]", |m| percent(m.overshoot)),
-    ("rise [s]", |m| number(m.rise_time_s)),
-    ("settling 2 % [s]", |m| number(m.settling_time_s)),
-    ("settling 5 % [s]", |m| number(m.settling_time_5_s)),
+    ("rise [s]", |m| number(m.rise_time.map(|t| t.0))),
+    ("settling 2 % [s]", |m| number(m.settling_time.map(|t| t.0))),
+    ("settling 5 % [s]", |m| number(m.settling_time_5.map(|t| t.0))),
     ("peak", |m| number(m.peak)),
 ];
 
@@ -107,12 +114,13 @@ pub(crate) fn response_figure(
     let mut output = Panel::new(time(), Axis::linear("controlled variable")).with_series(setpoint);
     let mut input = Panel::new(time(), Axis::linear("manipulated variable"));
     for (name, run) in runs {
-        output = output.with_series(Series::new(name, run.times.clone(), run.controlled_variable.clone())?);
-        input = input.with_series(Series::new(name, run.times.clone(), run.manipulated_variable.clone())?);
+        output = output.with_series(Series::new(name, run.time.clone(), run.controlled_variable.clone())?);
+        input = input.with_series(Series::new(name, run.time.clone(), run.manipulated_variable.clone())?);
     }
     if !scenario.load().is_empty() {
         let (times, load) = staircase(scenario.load(), 0.0, scenario.horizon());
-        input = input.with_series(Series::new("load", times, load)?.with_tone(Tone::Neutral).with_width(1.5)?);
+        input =
+            input.with_series(Series::new("load", times, load)?.with_tone(Tone::Neutral).with_width(1.5)?);
     }
     Figure::new(title, if with_input { vec![output, input] } else { vec![output] })
 }
@@ -151,5 +159,8 @@ pub(crate) fn check_kind(path: &Path) -> Result<(), Fault> {
 }
 
 fn unknown_kind(path: &Path) -> Fault {
-    Fault::option("--plot", format!("{} is no known kind of file: must end in .svg, .png or .html", path.display()))
+    Fault::option(
+        "--plot",
+        format!("{} is no known kind of file: must end in .svg, .png or .html", path.display()),
+    )
 }

@@ -371,12 +371,17 @@ fn run(
         metrics: response.metrics,
         bounds,
         end: End {
-            controlled_variable: response.final_controlled_variable,
-            manipulated_variable: response.final_manipulated_variable,
+            controlled_variable: finite(response.final_controlled_variable),
+            manipulated_variable: finite(response.final_manipulated_variable),
         },
-        overflow_at_s: response.overflow_at,
+        overflow_at_s: response.overflow_at.map(|time| time.0),
         warnings: response.warnings,
     })
+}
+
+/// The value, where it is one.
+fn finite(value: f64) -> Option<f64> {
+    value.is_finite().then_some(value)
 }
 
 fn run_family(study: &Study, family: &Family) -> Result<FamilyResult, StudyError> {
