@@ -3,6 +3,9 @@
 pub mod figures;
 mod file;
 pub mod output;
+pub mod published;
+#[cfg(feature = "report")]
+pub mod report;
 mod run;
 
 use crate::analysis::response::Scenario;
