@@ -82,7 +82,6 @@ Example:
     Man,
 }
 
-
 /// The loop: compact strings or a file.
 #[derive(Debug, Args)]
 pub(crate) struct LoopArgs {
