@@ -1,6 +1,6 @@
 //! `holdup analyse`: stability and exact margins.
 
-use holdup::analysis::frequency::{Margins, margins};
+use holdup::analysis::frequency::{Margins, dominant_poles, loop_without_observer, margins, observer_loop};
 use holdup::model::{ClosedLoop, Controller, Process};
 use serde_json::{Value, json};
 
@@ -17,7 +17,7 @@ pub(crate) fn run(args: &LoopArgs, console: Console) -> Result<Answer, Fault> {
     let closed = ClosedLoop::new(&process, &controller);
     let whole = margins(&closed).map_err(Fault::input)?;
     let parts = Parts::of(&process, &controller)?;
-    let poles: Vec<Pole> = Vec::new();
+    let poles = dominant_poles(&closed).map_err(Fault::input)?;
     let mut warnings = whole.warnings.clone();
     let noise_gain = controller.noise_gain();
     if noise_gain.is_none() {
@@ -58,35 +58,26 @@ fn root(re: f64, im: f64) -> String {
 struct Parts {
     /// The loop without its observer.
     controller: Margins,
-    /// The loop of the observer alone: only with a perfect model does the whole factorise into the two.
-    observer: Option<Margins>,
+    /// The observer's own loop on its model: with a perfect model the sensitivity of the whole is the product of
+    /// the two.
+    observer: Margins,
 }
 
 impl Parts {
     fn of(process: &Process, controller: &Controller) -> Result<Option<Self>, Fault> {
-        let Some(observer) = controller.observer() else { return Ok(None) };
-        let of = |part: &Controller| margins(&ClosedLoop::new(process, part)).map_err(Fault::input);
-        let perfect = observer.model_gain().is_none_or(|gain| gain == process.process_gain())
-            && observer.model_dead_time().is_none_or(|dead_time| dead_time == process.dead_time());
-        let alone = Controller::proportional(observer.gain()).map_err(Fault::input)?;
-        Ok(Some(Self {
-            controller: of(&controller.without_observer())?,
-            observer: if perfect { Some(of(&alone)?) } else { None },
-        }))
+        let of = |part: &ClosedLoop| margins(part).map_err(Fault::input);
+        let Some(observer) = observer_loop(process, controller).map_err(Fault::input)? else {
+            return Ok(None);
+        };
+        let controller = of(&loop_without_observer(process, controller))?;
+        Ok(Some(Self { controller, observer: of(&observer)? }))
     }
 
     fn columns(&self) -> Vec<(&'static str, &Margins)> {
-        let controller = std::iter::once(("without observer", &self.controller));
-        controller.chain(self.observer.iter().map(|margins| ("observer loop", margins))).collect()
+        vec![("without observer", &self.controller), ("observer loop", &self.observer)]
     }
 
     fn json(&self) -> Value {
         json!({"without_observer": &self.controller, "observer": &self.observer})
     }
-}
-
-/// MERGE: replaced by the poles of analysis/frequency.
-struct Pole {
-    re: f64,
-    im: f64,
 }
