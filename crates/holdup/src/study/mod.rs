@@ -25,6 +25,8 @@ pub struct Study {
     pub title: String,
     /// What it is about.
     pub about: Option<String>,
+    /// Identifier of the published study whose printed numbers it recomputes.
+    pub recomputes: Option<String>,
     /// The process that all controllers control.
     pub process: Process,
     /// The controllers, their names all different; at least one.
