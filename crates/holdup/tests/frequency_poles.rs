@@ -1,9 +1,11 @@
 //! Dominant poles against the Lambert function, and their number against the verdict.
 
+#![expect(clippy::unwrap_used, reason = "helpers of tests")]
+
 use holdup::analysis::frequency::{Pole, dominant_poles, margins};
 use holdup::model::{ClosedLoop, Controller, Observer, Process, Seconds};
 
-/// Poles of the proportional loop: s·d = W_k(−K·Kc·d), from right to left.
+/// Poles of the proportional loop: `s·d = W_k(−K·Kc·d)`, from right to left.
 fn lambert(gain: f64, d: f64) -> Vec<Pole> {
     let mut poles: Vec<Pole> = (-6..=5)
         .map(|k| lambert_w::lambert_w(k, -gain * d, 0.0, 1e-15))

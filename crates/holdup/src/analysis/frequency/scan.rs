@@ -105,7 +105,7 @@ impl<'a> Scan<'a> {
             if !open.any() {
                 break;
             }
-            if self.work > WORK || to > 1e60 {
+            if self.work > WORK || to > 1e110 {
                 self.found.unfinished_from = Some(from);
                 break;
             }
@@ -153,13 +153,14 @@ impl<'a> Scan<'a> {
             if wide || listed {
                 open = self.open_by_envelope(open, a, b);
             }
+            if open.gain && radius * self.functions.spread <= 1.0 {
+                open.gain = !self.gain_settled(a, b);
+            }
             if !wide && open.any() {
                 open = self.narrow(a, b, open);
             }
-            if !open.any() {
-                continue;
-            }
-            if radius <= 2.0 * f64::EPSILON * b || b < 1e-300 {
+            // Beyond 1e15 radians of delay the phase is lost in rounding.
+            if !open.any() || radius <= 2.0 * f64::EPSILON * b || b < 1e-300 {
                 continue;
             }
             stack.push((middle, b, open));
@@ -167,19 +168,24 @@ impl<'a> Scan<'a> {
         }
     }
 
+    /// Whether Taylor polynomials settle the gain crossovers on [a, b]. |L| does not turn with the shortest delay:
+    /// with one delay the band may be as wide as it likes.
+    fn gain_settled(&mut self, a: f64, b: f64) -> bool {
+        let (middle, radius) = (f64::midpoint(a, b), 0.5 * (b - a));
+        let (excess, third, rounding) = self.functions.gain_excess(middle, b);
+        let roots = zeros(excess, third, rounding, radius);
+        let functions = self.functions;
+        if let Some(root) = root(roots, a, b, |omega| functions.gain_excess(omega, omega).0) {
+            push_apart(&mut self.found.gain_crossovers, root);
+        }
+        roots != Zeros::Unknown
+    }
+
     /// Settles what Taylor polynomials can settle on [a, b]; returns what stays open.
     fn narrow(&mut self, a: f64, b: f64, mut open: Open) -> Open {
         let (middle, radius) = (f64::midpoint(a, b), 0.5 * (b - a));
         let point = self.functions.at(middle);
         let bounds = self.functions.bounds(b);
-        if open.gain {
-            let (third, rounding) = bounds.gain_excess();
-            let roots = zeros(point.gain_excess(), third, rounding, radius);
-            open.gain = roots == Zeros::Unknown;
-            if let Some(root) = self.root(roots, a, b, |p| p.gain_excess()) {
-                push_apart(&mut self.found.gain_crossovers, root);
-            }
-        }
         if open.phase {
             let (third, rounding) = bounds.direction();
             let rest = third * radius.powi(3) / 6.0 + rounding;
@@ -190,7 +196,9 @@ impl<'a> Scan<'a> {
                 open.phase = roots == Zeros::Unknown;
                 // Next to ω = 0 the function may vanish with the frequency: not a crossing.
                 let vanishing = roots == Zeros::Touching && radius > 1e-3 * b;
-                if let Some(root) = self.root(roots, a, b, |p| p.imaginary()).filter(|_| !vanishing) {
+                let functions = self.functions;
+                let imaginary = |omega: f64| super::functions::imaginary(&functions.direction(omega));
+                if let Some(root) = root(roots, a, b, imaginary).filter(|_| !vanishing) {
                     self.phase_crossover(root);
                 }
             }
@@ -202,48 +210,6 @@ impl<'a> Scan<'a> {
             open.complementary = !self.peak_settled(Peak::Complementary, &point, &bounds, radius);
         }
         open
-    }
-
-    /// The one zero of `f` on [a, b), where there is one.
-    fn root(&self, zeros: Zeros, a: f64, b: f64, f: impl Fn(&Point) -> Quadratic) -> Option<f64> {
-        match zeros {
-            Zeros::None | Zeros::Unknown => None,
-            Zeros::Touching => Some(f64::midpoint(a, b)),
-            Zeros::Monotone => {
-                // At ω = 0 a function may vanish without crossing: nothing to list there.
-                let at = |omega: f64| f(&self.functions.at(omega));
-                let (start, end) = (at(a).f, at(b).f);
-                if (a == 0.0 && start == 0.0) || (start >= 0.0) == (end >= 0.0) {
-                    return None;
-                }
-                let mut bracket = if start < 0.0 { (a, b) } else { (b, a) };
-                let mut omega = a + (b - a) * (start / (start - end)).clamp(0.0, 1.0);
-                for _ in 0..100 {
-                    let q = at(omega);
-                    if q.f < 0.0 {
-                        bracket.0 = omega;
-                    } else {
-                        bracket.1 = omega;
-                    }
-                    let newton = omega - q.f / q.df;
-                    let (low, high) = (bracket.0.min(bracket.1), bracket.0.max(bracket.1));
-                    let next =
-                        if newton >= low && newton <= high { newton } else { f64::midpoint(low, high) };
-                    let step = (next - omega).abs();
-                    omega = next;
-                    if step <= 1e-9 * omega && newton == next {
-                        // Newton's next step is below rounding; take it without asking.
-                        let q = at(omega);
-                        let last = omega - q.f / q.df;
-                        return Some(if last >= low && last <= high { last } else { omega });
-                    }
-                    if high - low <= 2.0 * f64::EPSILON * high {
-                        break;
-                    }
-                }
-                Some(omega)
-            }
-        }
     }
 
     /// Fills the list of phase crossovers where L is proven to turn one way from `from` on: each turn has one.
@@ -400,5 +366,45 @@ impl<'a> Scan<'a> {
 fn push_apart(list: &mut Vec<f64>, omega: f64) {
     if list.last().is_none_or(|&last| (omega - last).abs() > 1e-12 * omega) {
         list.push(omega);
+    }
+}
+
+/// The one zero of `f` on [a, b), where there is one.
+fn root(zeros: Zeros, a: f64, b: f64, at: impl Fn(f64) -> Quadratic) -> Option<f64> {
+    match zeros {
+        Zeros::None | Zeros::Unknown => None,
+        Zeros::Touching => Some(f64::midpoint(a, b)),
+        Zeros::Monotone => {
+            // At ω = 0 a function may vanish without crossing: nothing to list there.
+            let (start, end) = (at(a).f, at(b).f);
+            if (a == 0.0 && start == 0.0) || (start >= 0.0) == (end >= 0.0) {
+                return None;
+            }
+            let mut bracket = if start < 0.0 { (a, b) } else { (b, a) };
+            let mut omega = a + (b - a) * (start / (start - end)).clamp(0.0, 1.0);
+            for _ in 0..100 {
+                let q = at(omega);
+                if q.f < 0.0 {
+                    bracket.0 = omega;
+                } else {
+                    bracket.1 = omega;
+                }
+                let newton = omega - q.f / q.df;
+                let (low, high) = (bracket.0.min(bracket.1), bracket.0.max(bracket.1));
+                let next = if newton >= low && newton <= high { newton } else { f64::midpoint(low, high) };
+                let step = (next - omega).abs();
+                omega = next;
+                if step <= 1e-9 * omega && newton == next {
+                    // Newton's next step is below rounding; take it without asking.
+                    let q = at(omega);
+                    let last = omega - q.f / q.df;
+                    return Some(if last >= low && last <= high { last } else { omega });
+                }
+                if high - low <= 2.0 * f64::EPSILON * high {
+                    break;
+                }
+            }
+            Some(omega)
+        }
     }
 }
