@@ -214,6 +214,6 @@ fn json_has_the_names_of_the_contract() {
     ] {
         assert!(json.get(name).is_some(), "{name}");
     }
-    assert_eq!(json["phase_margin_deg"].as_f64(), m.phase_margin.map(|p| p.degrees()));
+    assert_eq!(json["phase_margin_deg"].as_f64(), m.phase_margin.map(holdup::model::Radians::degrees));
     assert!(json.get("warnings").is_none());
 }

@@ -1,7 +1,5 @@
 //! Dominant poles against the Lambert function, and their number against the verdict.
 
-#![expect(clippy::unwrap_used, reason = "helpers of tests")]
-
 use holdup::analysis::frequency::{Pole, dominant_poles, margins};
 use holdup::model::{ClosedLoop, Controller, Observer, Process, Seconds};
 

@@ -75,6 +75,12 @@ impl Functions {
         self.direction_of(rotated(self.numerator.on_axis(omega), self.shortest_delay, omega), omega)
     }
 
+    /// |L|.
+    pub(super) fn gain(&self, omega: f64) -> f64 {
+        let squared = |q: &QuasiPolynomial| q.on_axis(omega)[0].norm_sqr();
+        (squared(&self.numerator) / squared(&self.denominator)).sqrt()
+    }
+
     /// |N|² − |D|², positive where |L| > 1, with its bound of the third derivative and its rounding error up to
     /// the frequency `end`.
     pub(super) fn gain_excess(&self, omega: f64, end: f64) -> (Quadratic, f64, f64) {
@@ -171,11 +177,6 @@ pub(super) enum Peak {
 }
 
 impl Point {
-    /// |L|.
-    pub(super) fn gain(&self) -> f64 {
-        self.numerator[0].norm() / self.denominator[0].norm()
-    }
-
     /// Imaginary part of L up to a positive factor.
     pub(super) fn imaginary(&self) -> Quadratic {
         imaginary(&self.direction)
@@ -218,7 +219,7 @@ impl Point {
 
     /// |S| or |T|.
     pub(super) fn peak_value(&self, peak: Peak) -> f64 {
-        self.top_and_other(peak).0[0].norm() / self.closed[0].norm()
+        (self.top_and_other(peak).0[0].norm_sqr() / self.closed[0].norm_sqr()).sqrt()
     }
 
     /// First and second derivative of ln|S| or ln|T| in ω.

@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 
 use super::envelope::{Envelope, Steady};
 use super::functions::{Bounds, Functions, Peak, Point};
-use super::taylor::{Quadratic, Zeros, zeros};
+use super::taylor::{Zeros, root, zeros};
 
 /// Longest list of phase crossovers.
 pub(super) const LISTED: usize = 32;
@@ -21,6 +21,7 @@ const WORK: usize = 4_000_000;
 
 /// The questions open on a band of frequencies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[expect(clippy::struct_excessive_bools, reason = "four independent questions")]
 struct Open {
     gain: bool,
     phase: bool,
@@ -198,7 +199,8 @@ impl<'a> Scan<'a> {
                 let vanishing = roots == Zeros::Touching && radius > 1e-3 * b;
                 let functions = self.functions;
                 let imaginary = |omega: f64| super::functions::imaginary(&functions.direction(omega));
-                if let Some(root) = root(roots, a, b, imaginary).filter(|_| !vanishing) {
+                let negative = |omega: &f64| !vanishing && functions.direction(*omega)[0].re < 0.0;
+                if let Some(root) = root(roots, a, b, imaginary).filter(negative) {
                     self.phase_crossover(root);
                 }
             }
@@ -222,34 +224,37 @@ impl<'a> Scan<'a> {
             ((-direction[0]).arg(), rate)
         };
         let (angle, rate) = turn(from);
-        let mut omega = from + angle.rem_euclid(TAU) / rate;
-        let mut step = TAU / rate;
-        let mut last = None;
-        for _ in 0..LISTED {
+        let first = from + angle.rem_euclid(TAU) / rate;
+        // The next one by the parabola through the last three, the first time through equal steps.
+        let mut last = [first - TAU / rate, first - 2.0 * TAU / rate, first - 3.0 * TAU / rate];
+        let mut found = Vec::with_capacity(LISTED);
+        while self.found.phase_crossovers.len() + found.len() <= LISTED {
+            let mut omega = 3.0 * (last[0] - last[1]) + last[2];
+            let mut speed = rate;
             for _ in 0..20 {
                 let (angle, rate) = turn(omega);
+                speed = rate;
                 omega += angle / rate;
-                if (angle / rate).abs() <= 1e-9 * omega {
+                // The rate changes by less than C/ω² per radian: the next step would be 1e-12·C.
+                if (angle / rate).abs() <= 1e-6 * omega {
                     break;
                 }
             }
-            if !omega.is_finite() || self.found.phase_crossovers.len() >= LISTED {
+            // One turn from the last, not none and not two: else the search goes on band by band.
+            let turns = (omega - last[0]) * speed / TAU;
+            if !(turns > 0.5 && turns < 1.5 || found.is_empty() && omega.is_finite()) {
                 return;
             }
+            found.push(omega);
+            last = [omega, last[0], last[1]];
+        }
+        for omega in found {
             self.phase_crossover(omega);
-            // The turns become equal as the frequency rises: the last one foretells the next.
-            step = last.map_or(step, |last| omega - last);
-            last = Some(omega);
-            omega += step;
         }
     }
 
     fn phase_crossover(&mut self, omega: f64) {
-        let point = self.functions.at(omega);
-        if point.direction[0].re >= 0.0 {
-            return;
-        }
-        let gain = point.gain();
+        let gain = self.functions.gain(omega);
         if gain < 1.0 {
             self.found.below_one = self.found.below_one.max(gain);
         } else {
@@ -366,45 +371,5 @@ impl<'a> Scan<'a> {
 fn push_apart(list: &mut Vec<f64>, omega: f64) {
     if list.last().is_none_or(|&last| (omega - last).abs() > 1e-12 * omega) {
         list.push(omega);
-    }
-}
-
-/// The one zero of `f` on [a, b), where there is one.
-fn root(zeros: Zeros, a: f64, b: f64, at: impl Fn(f64) -> Quadratic) -> Option<f64> {
-    match zeros {
-        Zeros::None | Zeros::Unknown => None,
-        Zeros::Touching => Some(f64::midpoint(a, b)),
-        Zeros::Monotone => {
-            // At ω = 0 a function may vanish without crossing: nothing to list there.
-            let (start, end) = (at(a).f, at(b).f);
-            if (a == 0.0 && start == 0.0) || (start >= 0.0) == (end >= 0.0) {
-                return None;
-            }
-            let mut bracket = if start < 0.0 { (a, b) } else { (b, a) };
-            let mut omega = a + (b - a) * (start / (start - end)).clamp(0.0, 1.0);
-            for _ in 0..100 {
-                let q = at(omega);
-                if q.f < 0.0 {
-                    bracket.0 = omega;
-                } else {
-                    bracket.1 = omega;
-                }
-                let newton = omega - q.f / q.df;
-                let (low, high) = (bracket.0.min(bracket.1), bracket.0.max(bracket.1));
-                let next = if newton >= low && newton <= high { newton } else { f64::midpoint(low, high) };
-                let step = (next - omega).abs();
-                omega = next;
-                if step <= 1e-9 * omega && newton == next {
-                    // Newton's next step is below rounding; take it without asking.
-                    let q = at(omega);
-                    let last = omega - q.f / q.df;
-                    return Some(if last >= low && last <= high { last } else { omega });
-                }
-                if high - low <= 2.0 * f64::EPSILON * high {
-                    break;
-                }
-            }
-            Some(omega)
-        }
     }
 }
