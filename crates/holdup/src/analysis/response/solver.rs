@@ -111,8 +111,10 @@ pub(super) struct Solver<'a> {
     input_scales: Vec<f64>,
     /// Longest next cell [s], from how the last ones went.
     cap: f64,
-    /// First cell after an event [s]: short enough for the fastest pole.
-    fresh: f64,
+    /// Cells since the last event, while the fastest pole's layer lasts.
+    since_event: usize,
+    /// Rate of the fastest pole [1/s].
+    fastest: f64,
     quiet: f64,
     longest_delay: f64,
     impulsive: bool,
@@ -124,6 +126,9 @@ pub(super) struct Solver<'a> {
 }
 
 const CACHE: usize = 64;
+
+/// Cells after an event, in time constants of the fastest pole, that resolve the layer it leaves to 1e-14.
+const LAYER: [f64; 3] = [8.0, 12.0, 30.0];
 
 impl<'a> Solver<'a> {
     pub(super) fn new(system: &'a System) -> Self {
@@ -141,7 +146,8 @@ impl<'a> Solver<'a> {
             state_scales: vec![0.0; n],
             input_scales: vec![0.0; channels],
             cap: f64::INFINITY,
-            fresh: 11.0 / fastest,
+            since_event: LAYER.len(),
+            fastest,
             quiet: f64::INFINITY,
             longest_delay: system.delays.iter().copied().fold(0.0, f64::max),
             impulsive: false,
@@ -241,7 +247,8 @@ impl<'a> Solver<'a> {
         }
         self.impulsive |= self.system.manipulated.setpoint_rate * setpoint != 0.0;
         self.quiet = 0.0;
-        self.cap = self.fresh;
+        self.cap = f64::INFINITY;
+        self.since_event = 0;
     }
 
     /// Impulses that come out of their channel now: states jump and what passes straight on goes in again.
@@ -300,9 +307,12 @@ impl<'a> Solver<'a> {
         if room < length - tiny {
             length = room;
         }
-        if self.cap < length {
-            // No slivers: what is left after this cell is at least a third of it.
-            length = if self.cap * 1.3 < length { self.cap } else { length };
+        let layer = LAYER.get(self.since_event).map_or(f64::INFINITY, |&part| part / self.fastest);
+        self.since_event += 1;
+        let cap = self.cap.min(layer);
+        // No slivers: what is left after this cell is at least a third of it.
+        if cap * 1.3 < length {
+            length = cap;
         }
         let shortest = tiny.max(1e-13 * self.longest_delay);
         let mut halved = false;
@@ -313,7 +323,7 @@ impl<'a> Solver<'a> {
                 return None;
             }
             if good == Some(true) || length <= shortest * 2.0 {
-                self.cap = if halved { 2.0 * length } else { 3.0 * self.cap.min(length.max(self.cap)) };
+                self.cap = if halved { 2.0 * length } else { 3.0 * self.cap };
                 return if self.finite() { Some(length) } else { None };
             }
             if good.is_none() && self.at_the_end_of_range() {
