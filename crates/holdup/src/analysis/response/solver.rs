@@ -16,7 +16,8 @@ use super::system::{Rest, Row, System};
 pub(super) const CELL_BUDGET: u64 = 4_000_000;
 /// A cell is accepted when its last coefficients are below this part of the signal's largest value so far.
 const TOLERANCE: f64 = 2e-14;
-/// Coefficients below this part of the signal's largest value so far are not carried on.
+/// Last coefficients below this part of the signal's largest value so far, and below a millionth of the signal here, are
+/// not carried on.
 const FLOOR: f64 = 1e-18;
 /// Signals below this part of their largest value so far, for the longest delay, are at rest.
 const SETTLED: f64 = 1e-20;
@@ -454,7 +455,7 @@ impl<'a> Solver<'a> {
             self.input_scales[c] = self.input_scales[c].max(size);
             quiet &= size <= SETTLED * self.input_scales[c];
             line.advance(length, tiny);
-            let terms = significant(&self.input_polys[c], FLOOR * self.input_scales[c]);
+            let terms = significant(&self.input_polys[c], (FLOOR * self.input_scales[c]).min(1e-6 * size));
             line.push(length, &self.input_polys[c], terms, order);
         }
         self.quiet = if quiet { self.quiet + length } else { 0.0 };
@@ -530,4 +531,50 @@ fn merged_events(scenario: &Scenario) -> Vec<(f64, f64, f64)> {
         .collect();
     events.sort_by(|a, b| a.0.total_cmp(&b.0));
     events
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::{ClosedLoop, Controller, Process, Seconds};
+
+    /// Lengths of all cells.
+    struct Lengths(Vec<f64>);
+
+    impl Watch for Lengths {
+        fn cell(&mut self, cell: &Cell<'_>) {
+            self.0.push(cell.length);
+        }
+    }
+
+    fn lengths(controller: Controller, horizon: f64) -> Vec<f64> {
+        let process = Process::integrating(0.0506, Seconds(6.0)).unwrap();
+        let load = vec![(horizon / 2.0, 1.0)];
+        let scenario = Scenario::new(vec![(0.0, 1.0)], load, Seconds(horizon), 0.0).unwrap();
+        let system = System::new(&ClosedLoop::new(&process, &controller));
+        let mut lengths = Lengths(Vec::new());
+        Solver::new(&system).run(&scenario, &mut lengths).unwrap();
+        lengths.0
+    }
+
+    #[test]
+    fn a_loop_without_a_fast_pole_takes_one_cell_between_breakpoints() {
+        let pi = Controller::proportional(1.6).unwrap().with_integral_time(Seconds(48.0)).unwrap();
+        // 200 s: 34 images of the first event, 17 of the second.
+        assert_eq!(lengths(pi, 200.0).len(), 34 + 17);
+    }
+
+    #[test]
+    fn a_filtered_derivative_takes_a_few_cells_between_breakpoints() {
+        let pid = Controller::proportional(2.95).unwrap().with_integral_time(Seconds(15.0)).unwrap();
+        let pid = pid.with_derivative_time(Seconds(3.0)).unwrap().with_filter_bandwidth(100.0).unwrap();
+        let lengths = lengths(pid, 200.0);
+        assert!(lengths.len() < 51 * 7, "{} {lengths:?}", lengths.len());
+    }
+
+    #[test]
+    fn a_settled_loop_reaches_any_horizon_in_few_cells() {
+        let pi = Controller::proportional(1.6).unwrap().with_integral_time(Seconds(48.0)).unwrap();
+        assert!(lengths(pi, 1e9).len() < 1000);
+    }
 }
