@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 use crate::args::RulesArgs;
 use crate::console::{Answer, Console};
 use crate::fault::Fault;
-use crate::table::{number, table, title};
+use crate::table::{fold, number, table, title};
 
 /// Lists all rules, or shows one.
 pub(crate) fn run(args: &RulesArgs, console: Console) -> Result<Answer, Fault> {
@@ -19,12 +19,11 @@ pub(crate) fn run(args: &RulesArgs, console: Console) -> Result<Answer, Fault> {
     let mut text = String::new();
     if !console.json {
         let row = |entry: &&Entry| {
-            let set: Vec<&str> = entry.parameters.iter().map(|parameter| parameter.name).collect();
-            let process = entry.process.name().to_owned();
-            vec![entry.id.to_owned(), entry.year.to_string(), process, set.join(", ")]
+            let (structure, process) = (entry.structure.to_owned(), entry.process.name().to_owned());
+            vec![entry.id.to_owned(), structure, process, format!("{} {}", entry.authors, entry.year)]
         };
         let rows: Vec<Vec<String>> = rules().iter().map(row).collect();
-        text = table(console, &["rule", "year", "process", "parameters"], &rows);
+        text = table(console, &["rule", "structure", "process", "authors"], &rows);
         text += &format!("{} rules; 'holdup rules ID' shows the page of one\n", rows.len());
     }
     Ok(Answer { json, text, ..Answer::default() })
@@ -77,7 +76,8 @@ fn reproduced(entry: &'static Entry) -> Value {
 
 fn page(console: Console, entry: &'static Entry) -> String {
     let mut text = title(console, &format!("{}: {}", entry.id, entry.name));
-    text += &format!("{} ({}): {}\n\n", entry.authors, entry.year, entry.citation);
+    let source = format!("{} ({}): {}", entry.authors, entry.year, entry.citation);
+    text += &(fold(&source, console.width).join("\n") + "\n\n");
     let mut line = |name: &str, value: &str| {
         if !value.is_empty() {
             text += &folded(name, value, console.width);
@@ -123,17 +123,7 @@ fn page(console: Console, entry: &'static Entry) -> String {
 /// A name and a text broken into lines behind it.
 fn folded(name: &str, value: &str, width: usize) -> String {
     const INDENT: usize = 12;
-    let mut text = format!("{name:<INDENT$}");
-    let mut column = INDENT;
-    for word in value.split_whitespace() {
-        let length = word.chars().count() + 1;
-        if column + length > width && column > INDENT {
-            text = text.trim_end().to_owned() + "\n" + &" ".repeat(INDENT);
-            column = INDENT;
-        }
-        text += word;
-        text.push(' ');
-        column += length;
-    }
-    text.trim_end().to_owned() + "\n"
+    let lines = fold(value, width - INDENT);
+    let heads = std::iter::once(name).chain(std::iter::repeat(""));
+    heads.zip(&lines).map(|(head, line)| format!("{head:<INDENT$}{line}\n")).collect()
 }

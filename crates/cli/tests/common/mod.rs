@@ -1,0 +1,48 @@
+//! Running the command.
+#![allow(dead_code, reason = "each test file uses its part")]
+
+use std::path::PathBuf;
+use std::process::{Command, Output};
+
+use serde_json::Value;
+
+/// The paper's process.
+pub(crate) const PROCESS: &str = "K=0.0506,d=6";
+
+/// The command with these words.
+pub(crate) fn holdup(words: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_holdup"));
+    command.args(words).current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
+    command
+}
+
+/// What the command says.
+pub(crate) fn run(words: &[&str]) -> Output {
+    holdup(words).output().unwrap()
+}
+
+/// The JSON of a command that succeeds.
+pub(crate) fn json(words: &[&str]) -> Value {
+    let output = run(&[words, &["--json"]].concat());
+    assert_eq!(output.status.code(), Some(0), "{words:?}: {}", String::from_utf8_lossy(&output.stderr));
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+/// The one line of bad input: exit status 2, nothing on standard output.
+pub(crate) fn refused(words: &[&str]) -> String {
+    let output = run(words);
+    let error = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{words:?}: {error}");
+    assert!(output.stdout.is_empty(), "{words:?} wrote to standard output");
+    assert_eq!(error.lines().count(), 1, "{words:?}: {error}");
+    assert!(error.starts_with("error: "), "{words:?}: {error}");
+    error
+}
+
+/// A fresh folder of this name.
+pub(crate) fn folder(name: &str) -> PathBuf {
+    let folder = std::env::temp_dir().join(format!("holdup-cli-{name}-{}", std::process::id()));
+    let _ = std::fs::remove_dir_all(&folder);
+    std::fs::create_dir_all(&folder).unwrap();
+    folder
+}
