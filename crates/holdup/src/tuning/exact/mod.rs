@@ -9,6 +9,7 @@ mod margins;
 mod observer;
 mod pd;
 mod root;
+mod settling;
 
 pub(super) use dob::tune as dob;
 pub(super) use pd::tune as pd;
