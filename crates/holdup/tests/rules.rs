@@ -166,6 +166,36 @@ fn every_parameter_says_its_unit_its_default_and_its_range() {
 }
 
 #[test]
+fn the_controller_has_the_structure_that_the_list_says() {
+    for entry in rules() {
+        let process = example(entry.process, 0.7, 1.3, 2.1);
+        let tuning = entry.tune(&process, &question(entry)).unwrap();
+        assert_eq!(tuning.controller.structure(), entry.structure, "{}", entry.id);
+        assert!(!tuning.published.settings.is_empty(), "{}", entry.id);
+    }
+}
+
+#[test]
+fn extreme_processes_and_parameters_give_an_answer_or_an_error_but_no_panic() {
+    let extremes = [1e-300, 1e-9, 1.0, 1e9, 1e300];
+    for entry in rules() {
+        for gain in extremes {
+            for dead_time in extremes {
+                let process = example(entry.process, -gain, dead_time, 1.0);
+                let _ = entry.tune(&process, &question(entry));
+            }
+        }
+        let process = example(entry.process, 0.7, 1.3, 2.1);
+        // Simulations with an extreme settling time are slow; its range is tested with the exact tuning.
+        for parameter in entry.parameters.iter().filter(|parameter| parameter.name != "Ts") {
+            for value in [-1.0, 0.0, 1e-12, 0.999_999, 1.000_001, 89.0, 1e12, f64::MAX] {
+                let _ = entry.tune(&process, &question(entry).set(parameter.name, value));
+            }
+        }
+    }
+}
+
+#[test]
 fn an_unknown_parameter_or_rule_names_the_nearest() {
     let process = example(Applies::Integrating, 1.0, 1.0, 1.0);
     let error =

@@ -31,7 +31,7 @@ pub(super) fn largest(pd: Normal, goal: Goal, rule: &'static str) -> Result<Resu
         least = least.min(here);
         let met = here <= 0.0;
         if met && !above_met {
-            let (found, _) = bracket(k, above, 0.0, |k| error(k).unwrap_or(f64::NAN));
+            let (found, _) = bracket(k, above, 1e-12, |k| error(k).unwrap_or(f64::NAN));
             // Where a crossover appears or vanishes a margin jumps, and the goal is passed without being met.
             if error(found)?.abs() <= MET {
                 return Ok(Ok(found));

@@ -151,13 +151,25 @@ fn refined(scan: &[(f64, f64)], error: &impl Fn(f64) -> f64) -> Vec<(f64, f64)> 
 
 /// Settling time [dead times] of a unit setpoint step, derivative on the error; infinite where the response is
 /// outside the band a period of its ringing after the target, which is all that the scan must know.
+///
+/// A response that stays in the band for as long again as it took to get there has settled: short horizons first.
 fn settling_time(pd: Pd, filter: f64, target: f64) -> f64 {
-    within(pd, filter, target + 5.0_f64.max(0.15 * target)).unwrap_or(f64::INFINITY)
+    let end = target + 5.0_f64.max(0.15 * target);
+    let mut horizon = 20.0;
+    while horizon < end {
+        if let Some(time) = within(pd, filter, horizon)
+            && time <= 0.5 * horizon
+        {
+            return time;
+        }
+        horizon *= 3.0;
+    }
+    within(pd, filter, end).unwrap_or(f64::INFINITY)
 }
 
 /// Whether the settling time is still the target when the horizon is much longer.
 fn long_settling_time(pd: Pd, filter: f64, target: f64) -> bool {
-    within(pd, filter, (20.0 * target).max(200.0)).is_some_and(|time| (time - target).abs() <= MET)
+    within(pd, filter, (4.0 * target).max(100.0)).is_some_and(|time| (time - target).abs() <= MET)
 }
 
 fn within(pd: Pd, filter: f64, horizon: f64) -> Option<f64> {

@@ -46,7 +46,7 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
             .range("> 0 and < pi")
             .asks(Property::PhaseMargin),
         Parameter::new("Ts", Unit::Second, Default::Absent, "settling time, 2 % band")
-            .range("> d")
+            .range("> d and <= 1000*d")
             .asks(Property::SettlingTime),
         Parameter::new(
             "N",

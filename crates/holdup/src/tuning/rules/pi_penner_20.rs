@@ -20,7 +20,7 @@
 //! `Mt` = 2.0.
 //!
 //! # Reference
-//! Penner (1988), same.
+//! Penner (1988), Tuning rules for a PI controller, Proc. ISA (via O'Dwyer).
 
 use crate::tuning::{Applies, Entry, Form, Provenance, Status, by_formula};
 
@@ -30,7 +30,7 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     name: "Penner, max closed-loop gain 2.0, PI",
     authors: "Penner",
     year: 1988,
-    citation: "same",
+    citation: "Tuning rules for a PI controller, Proc. ISA (via O'Dwyer)",
     structure: "PI",
     process: Applies::Integrating,
     form: Form::Ideal,

@@ -20,7 +20,8 @@
 //! `Ms` = 1.7.
 //!
 //! # Reference
-//! Skogestad (2001), same.
+//! Skogestad (2001), Probably the best simple PID tuning rules in the world, `AIChE` Annual Meeting, Reno
+//! 2001 (row as in O'Dwyer).
 
 use crate::tuning::{Applies, Entry, Form, Provenance, Status, by_formula};
 
@@ -30,7 +31,7 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     name: "Skogestad 2001 optimum for Ms=1.7, PI (as transcribed)",
     authors: "Skogestad",
     year: 2001,
-    citation: "same",
+    citation: "Probably the best simple PID tuning rules in the world, AIChE Annual Meeting, Reno 2001 (row as in O'Dwyer)",
     structure: "PI",
     process: Applies::Integrating,
     form: Form::Ideal,
