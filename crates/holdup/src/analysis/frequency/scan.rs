@@ -4,9 +4,11 @@
 //! zero there, or exactly one (which is then polished), or stays below the peak already found. Wide bands are
 //! settled by the [`Envelope`], narrow ones by Taylor polynomials with a bound of their rest.
 
-use super::envelope::Envelope;
+use std::f64::consts::TAU;
+
+use super::envelope::{Envelope, Steady};
 use super::functions::{Bounds, Functions, Peak, Point};
-use super::taylor::{Quadratic, Zeros, zeros};
+use super::taylor::{Zeros, root, zeros};
 
 /// Longest list of phase crossovers.
 pub(super) const LISTED: usize = 32;
@@ -19,6 +21,7 @@ const WORK: usize = 4_000_000;
 
 /// The questions open on a band of frequencies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[expect(clippy::struct_excessive_bools, reason = "four independent questions")]
 struct Open {
     gain: bool,
     phase: bool,
@@ -58,13 +61,20 @@ pub(super) struct Findings {
 pub(super) struct Scan<'a> {
     functions: &'a Functions,
     envelope: &'a Envelope,
+    steady: &'a Steady<'a>,
     stable: bool,
     found: Findings,
     work: usize,
 }
 
 impl<'a> Scan<'a> {
-    pub(super) fn new(functions: &'a Functions, envelope: &'a Envelope, limit: f64, stable: bool) -> Self {
+    pub(super) fn new(
+        functions: &'a Functions,
+        envelope: &'a Envelope,
+        steady: &'a Steady<'a>,
+        limit: f64,
+        stable: bool,
+    ) -> Self {
         // At ω → 0 the integrator makes S = 0 and T = 1; at ω → ∞ |L| is at most `limit`, its supremum.
         let at_infinity = |numerator: f64| if limit < 1.0 { numerator / (1.0 - limit) } else { 1.0 };
         let found = Findings {
@@ -76,7 +86,7 @@ impl<'a> Scan<'a> {
             complementary: Highest { value: at_infinity(limit), omega: None },
             unfinished_from: None,
         };
-        let mut scan = Self { functions, envelope, stable, found, work: 0 };
+        let mut scan = Self { functions, envelope, steady, stable, found, work: 0 };
         let origin = functions.at(0.0).peak_value(Peak::Complementary);
         if origin >= scan.found.complementary.value {
             scan.found.complementary = Highest { value: origin, omega: Some(0.0) };
@@ -89,11 +99,14 @@ impl<'a> Scan<'a> {
         let (mut from, mut to) = (0.0, 1.0);
         loop {
             let all = Open { gain: true, phase: true, sensitivity: self.stable, complementary: self.stable };
+            if self.found.phase_crossovers.len() < LISTED && self.steady.beyond(from) {
+                self.list_steady_crossovers(from);
+            }
             let open = self.open_by_envelope(all, from, f64::INFINITY);
             if !open.any() {
                 break;
             }
-            if self.work > WORK || to > 1e60 {
+            if self.work > WORK || to > 1e110 {
                 self.found.unfinished_from = Some(from);
                 break;
             }
@@ -141,13 +154,14 @@ impl<'a> Scan<'a> {
             if wide || listed {
                 open = self.open_by_envelope(open, a, b);
             }
+            if open.gain && radius * self.functions.spread <= 1.0 {
+                open.gain = !self.gain_settled(a, b);
+            }
             if !wide && open.any() {
                 open = self.narrow(a, b, open);
             }
-            if !open.any() {
-                continue;
-            }
-            if radius <= 2.0 * f64::EPSILON * b || b < 1e-300 {
+            // Beyond 1e15 radians of delay the phase is lost in rounding.
+            if !open.any() || radius <= 2.0 * f64::EPSILON * b || b < 1e-300 {
                 continue;
             }
             stack.push((middle, b, open));
@@ -155,19 +169,24 @@ impl<'a> Scan<'a> {
         }
     }
 
+    /// Whether Taylor polynomials settle the gain crossovers on [a, b]. |L| does not turn with the shortest delay:
+    /// with one delay the band may be as wide as it likes.
+    fn gain_settled(&mut self, a: f64, b: f64) -> bool {
+        let (middle, radius) = (f64::midpoint(a, b), 0.5 * (b - a));
+        let (excess, third, rounding) = self.functions.gain_excess(middle, b);
+        let roots = zeros(excess, third, rounding, radius);
+        let functions = self.functions;
+        if let Some(root) = root(roots, a, b, |omega| functions.gain_excess(omega, omega).0) {
+            push_apart(&mut self.found.gain_crossovers, root);
+        }
+        roots != Zeros::Unknown
+    }
+
     /// Settles what Taylor polynomials can settle on [a, b]; returns what stays open.
     fn narrow(&mut self, a: f64, b: f64, mut open: Open) -> Open {
         let (middle, radius) = (f64::midpoint(a, b), 0.5 * (b - a));
         let point = self.functions.at(middle);
         let bounds = self.functions.bounds(b);
-        if open.gain {
-            let (third, rounding) = bounds.gain_excess();
-            let roots = zeros(point.gain_excess(), third, rounding, radius);
-            open.gain = roots == Zeros::Unknown;
-            if let Some(root) = self.root(roots, a, b, |p| p.gain_excess()) {
-                push_apart(&mut self.found.gain_crossovers, root);
-            }
-        }
         if open.phase {
             let (third, rounding) = bounds.direction();
             let rest = third * radius.powi(3) / 6.0 + rounding;
@@ -178,7 +197,10 @@ impl<'a> Scan<'a> {
                 open.phase = roots == Zeros::Unknown;
                 // Next to ω = 0 the function may vanish with the frequency: not a crossing.
                 let vanishing = roots == Zeros::Touching && radius > 1e-3 * b;
-                if let Some(root) = self.root(roots, a, b, |p| p.imaginary()).filter(|_| !vanishing) {
+                let functions = self.functions;
+                let imaginary = |omega: f64| super::functions::imaginary(&functions.direction(omega));
+                let negative = |omega: &f64| !vanishing && functions.direction(*omega)[0].re < 0.0;
+                if let Some(root) = root(roots, a, b, imaginary).filter(negative) {
                     self.phase_crossover(root);
                 }
             }
@@ -192,54 +214,47 @@ impl<'a> Scan<'a> {
         open
     }
 
-    /// The one zero of `f` on [a, b), where there is one.
-    fn root(&self, zeros: Zeros, a: f64, b: f64, f: impl Fn(&Point) -> Quadratic) -> Option<f64> {
-        match zeros {
-            Zeros::None | Zeros::Unknown => None,
-            Zeros::Touching => Some(f64::midpoint(a, b)),
-            Zeros::Monotone => {
-                // At ω = 0 a function may vanish without crossing: nothing to list there.
-                let at = |omega: f64| f(&self.functions.at(omega));
-                let (start, end) = (at(a).f, at(b).f);
-                if (a == 0.0 && start == 0.0) || (start >= 0.0) == (end >= 0.0) {
-                    return None;
+    /// Fills the list of phase crossovers where L is proven to turn one way from `from` on: each turn has one.
+    fn list_steady_crossovers(&mut self, from: f64) {
+        let functions = self.functions;
+        // Angle still to go until L points at −1, and the rate at which L turns towards it.
+        let turn = |omega: f64| {
+            let direction = functions.direction(omega);
+            let rate = -(direction[1] / direction[0]).im;
+            ((-direction[0]).arg(), rate)
+        };
+        let (angle, rate) = turn(from);
+        let first = from + angle.rem_euclid(TAU) / rate;
+        // The next one by the parabola through the last three, the first time through equal steps.
+        let mut last = [first - TAU / rate, first - 2.0 * TAU / rate, first - 3.0 * TAU / rate];
+        let mut found = Vec::with_capacity(LISTED);
+        while self.found.phase_crossovers.len() + found.len() <= LISTED {
+            let mut omega = 3.0 * (last[0] - last[1]) + last[2];
+            let mut speed = rate;
+            for _ in 0..20 {
+                let (angle, rate) = turn(omega);
+                speed = rate;
+                omega += angle / rate;
+                // The rate changes by less than C/ω² per radian: the next step would be 1e-12·C.
+                if (angle / rate).abs() <= 1e-6 * omega {
+                    break;
                 }
-                let mut bracket = if start < 0.0 { (a, b) } else { (b, a) };
-                let mut omega = a + (b - a) * (start / (start - end)).clamp(0.0, 1.0);
-                for _ in 0..100 {
-                    let q = at(omega);
-                    if q.f < 0.0 {
-                        bracket.0 = omega;
-                    } else {
-                        bracket.1 = omega;
-                    }
-                    let newton = omega - q.f / q.df;
-                    let (low, high) = (bracket.0.min(bracket.1), bracket.0.max(bracket.1));
-                    let next =
-                        if newton >= low && newton <= high { newton } else { f64::midpoint(low, high) };
-                    let step = (next - omega).abs();
-                    omega = next;
-                    if step <= 1e-9 * omega && newton == next {
-                        // Newton's next step is below rounding; take it without asking.
-                        let q = at(omega);
-                        let last = omega - q.f / q.df;
-                        return Some(if last >= low && last <= high { last } else { omega });
-                    }
-                    if high - low <= 2.0 * f64::EPSILON * high {
-                        break;
-                    }
-                }
-                Some(omega)
             }
+            // One turn from the last, not none and not two: else the search goes on band by band.
+            let turns = (omega - last[0]) * speed / TAU;
+            if !(turns > 0.5 && turns < 1.5 || found.is_empty() && omega.is_finite()) {
+                return;
+            }
+            found.push(omega);
+            last = [omega, last[0], last[1]];
+        }
+        for omega in found {
+            self.phase_crossover(omega);
         }
     }
 
     fn phase_crossover(&mut self, omega: f64) {
-        let point = self.functions.at(omega);
-        if point.direction[0].re >= 0.0 {
-            return;
-        }
-        let gain = point.gain();
+        let gain = self.functions.gain(omega);
         if gain < 1.0 {
             self.found.below_one = self.found.below_one.max(gain);
         } else {
@@ -260,10 +275,35 @@ impl<'a> Scan<'a> {
 
     fn offer(&mut self, peak: Peak, point: &Point) {
         let value = point.peak_value(peak);
-        let highest = self.highest(peak);
-        if value > highest.value {
-            *highest = Highest { value, omega: Some(point.omega) };
+        if value > self.highest(peak).value * (1.0 + PEAK_TOLERANCE) {
+            *self.highest(peak) = self.climb(peak, point);
         }
+    }
+
+    /// The local maximum uphill of a point: the higher the peak known, the less is left to prove.
+    fn climb(&self, peak: Peak, from: &Point) -> Highest {
+        let mut best = *from;
+        let mut value = best.peak_value(peak);
+        let mut reach = (0.3 * from.omega).min(0.5);
+        for _ in 0..40 {
+            let (first, second) = best.logarithmic(peak);
+            let uphill = reach.copysign(first);
+            let newton = -first / second;
+            let step = if second < 0.0 && newton.abs() <= reach { newton } else { uphill };
+            let next = self.functions.at((best.omega + step).max(0.0));
+            let higher = next.peak_value(peak);
+            if higher > value {
+                value = higher;
+                best = next;
+            } else {
+                // Beyond the maximum, or at it to rounding.
+                reach = 0.25 * step.abs();
+            }
+            if step.abs() <= 1e-9 * best.omega || reach <= 1e-9 * best.omega {
+                break;
+            }
+        }
+        Highest { value, omega: Some(best.omega) }
     }
 
     /// Whether the peak is proven to be no higher on [middle − radius, middle + radius] than the highest found;

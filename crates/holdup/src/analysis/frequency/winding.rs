@@ -14,6 +14,9 @@ use super::envelope::Envelope;
 use super::polynomial::Polynomial;
 use super::taylor::Quadratic;
 
+/// Bands examined in an octave before the count is given up.
+const WORK: usize = 200_000;
+
 /// Number of closed-loop poles with positive real part; `None` where a pole lies on the imaginary axis, or
 /// nearer to it than double precision tells apart, or where there are infinitely many (|L(j∞)| ≥ 1).
 pub(super) fn unstable_poles(loop_: &Characteristic, envelope: &Envelope) -> Option<usize> {
@@ -26,7 +29,7 @@ pub(super) fn unstable_poles(loop_: &Characteristic, envelope: &Envelope) -> Opt
     let mut end = 1.0;
     while !envelope.gain_is_below(1.0, end, f64::INFINITY) {
         end *= 2.0;
-        if end > 1e60 {
+        if end > 1e110 {
             return None;
         }
     }
@@ -54,8 +57,13 @@ fn turn(loop_: &Characteristic, envelope: &Envelope, from: f64, to: f64) -> Opti
     let mut sum = 0.0;
     let mut start = closed.on_axis(from)[0];
     let mut stack = vec![(from, to)];
+    let mut work = 0;
     while let Some((a, b)) = stack.pop() {
         let (middle, radius) = (f64::midpoint(a, b), 0.5 * (b - a));
+        work += 1;
+        if work > WORK || radius <= 4.0 * f64::EPSILON * b {
+            return None;
+        }
         let wide = closed.longest_delay() * radius > 1.6;
         if wide && let Some(change) = turn_with_heaviest(loop_, envelope, a, b) {
             sum += change;
@@ -71,7 +79,7 @@ fn turn(loop_: &Characteristic, envelope: &Envelope, from: f64, to: f64) -> Opti
                 start = end;
                 continue;
             }
-            if radius <= 4.0 * f64::EPSILON * b || jet[0].norm() <= 4.0 * f64::EPSILON * bounds[0] {
+            if jet[0].norm() <= 4.0 * f64::EPSILON * bounds[0] {
                 return None;
             }
         }
@@ -100,27 +108,27 @@ fn turn_with_heaviest(loop_: &Characteristic, envelope: &Envelope, from: f64, to
         let turned = Complex::from_polar(1.0, delay * omega);
         (loop_.closed.on_axis(omega)[0] * turned / p.on_axis(omega)[0]).arg()
     };
-    let real = |p: &Polynomial| p.coefficients().iter().map(|&c| Complex::new(c, 0.0)).collect::<Vec<_>>();
-    // p(jω) as a polynomial in ω: the coefficients take their power of j.
-    let own = turn_of_polynomial(&along_axis(real(p)), from, to)?;
+    let own = turn_of_polynomial(&along_axis(p), from, to)?;
     Some(own - delay * (to - from) + relative(to) - relative(from))
 }
 
 /// Change of arg p(jω) from `from` to infinity.
 fn turn_to_infinity(p: &Polynomial, from: f64) -> Option<f64> {
     // With t = 1/ω: arg p(j/t) = arg(tⁿ·p(j/t)), a polynomial in t with the coefficients reversed.
-    let mut reversed = along_axis(p.coefficients().iter().map(|&c| Complex::new(c, 0.0)).collect());
+    let mut reversed = along_axis(p);
     reversed.reverse();
     turn_of_polynomial(&reversed, 0.0, 1.0 / from).map(|turn| -turn)
 }
 
-fn along_axis(mut coefficients: Vec<Complex<f64>>) -> Vec<Complex<f64>> {
+/// The coefficients of p(jω) as a polynomial in ω: each takes its power of j.
+fn along_axis(p: &Polynomial) -> Vec<Complex<f64>> {
     let mut power = Complex::new(1.0, 0.0);
-    for c in &mut coefficients {
-        *c *= power;
+    let mut turned = Vec::with_capacity(p.coefficients().len());
+    for &c in p.coefficients() {
+        turned.push(power * c);
         power *= Complex::i();
     }
-    coefficients
+    turned
 }
 
 /// Change of the argument of a polynomial with complex coefficients over [from, to] of the real line.
