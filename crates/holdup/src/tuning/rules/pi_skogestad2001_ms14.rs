@@ -1,0 +1,48 @@
+//! Skogestad 2001 optimum for Ms=1.4, PI.
+//!
+//! # Applies to
+//! The plain integrator with dead time.
+//!
+//! # Formula
+//! - `Kc = 0.28/(K*d)`
+//! - `Ti = 7*d`
+//!
+//! # Parameters
+//! None.
+//!
+//! # When
+//! Smooth PI with the sensitivity peak 1.4.
+//!
+//! # Limits
+//! Nothing beyond what the margins show.
+//!
+//! # Published values
+//! `Ms` = 1.4.
+//!
+//! # Reference
+//! Skogestad (2001), Probably the best simple PID tuning rules in the world, `AIChE` Annual Meeting, Reno
+//! 2001 (row as in O'Dwyer).
+
+use crate::tuning::{Applies, Entry, Form, Provenance, Status, by_formula};
+
+/// The rule.
+pub(in crate::tuning) static ENTRY: Entry = Entry {
+    id: "pi-skogestad2001-ms14",
+    name: "Skogestad 2001 optimum for Ms=1.4, PI",
+    authors: "Skogestad",
+    year: 2001,
+    citation: "Probably the best simple PID tuning rules in the world, AIChE Annual Meeting, Reno 2001 (row as in O'Dwyer)",
+    structure: "PI",
+    process: Applies::Integrating,
+    form: Form::Ideal,
+    parameters: &[],
+    formula: &[("Kc", "0.28/(K*d)"), ("Ti", "7*d")],
+    when: "Smooth PI with the sensitivity peak 1.4.",
+    limits: "Nothing beyond what the margins show.",
+    validity: &[],
+    provenance: Provenance::Retrieved,
+    source: "github WKolaj/S7_PID-Tuner (C# transcription of O'Dwyer handbook tables), Methods/TunningMethods/IPDModelTunningMethods/*.cs, commit 59b8950a",
+    status: Status::Recommended,
+    values: include_str!("../../../tests/rules/pi-skogestad2001-ms14.toml"),
+    law: by_formula,
+};
