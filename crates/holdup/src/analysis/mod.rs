@@ -1,3 +1,6 @@
 //! What the loop does, exactly.
 
+pub mod bounds;
 pub mod frequency;
+pub mod metrics;
+pub mod response;

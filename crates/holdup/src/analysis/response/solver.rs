@@ -1,0 +1,523 @@
+//! The method of steps: cell by cell, every signal a polynomial, every cell accepted by its last coefficients.
+//!
+//! States are deviations from the point of rest of the current setpoint and load, so that what decays keeps its
+//! relative accuracy and a settled loop is exactly at rest.
+
+use thiserror::Error;
+
+use super::delay_line::DelayLine;
+use super::instant::Instant;
+use super::lag::{CoupledLags, Lag};
+use super::legendre::{Poly, TERMS, add, ends, integrated, magnitude, significant, tail};
+use super::scenario::Scenario;
+use super::system::{Rest, Row, System};
+
+/// Cells after which a simulation gives up (a few seconds of computing).
+pub(super) const CELL_BUDGET: u64 = 4_000_000;
+/// A cell is accepted when its last coefficients are below this part of the signal's largest value so far.
+const TOLERANCE: f64 = 2e-14;
+/// Coefficients below this part of the signal's largest value so far are not carried on.
+const FLOOR: f64 = 1e-18;
+/// Signals below this part of their largest value so far, for the longest delay, are at rest.
+const SETTLED: f64 = 1e-20;
+/// Breakpoints that went through the loop more often than this are left to the acceptance test.
+const BREAKPOINT_ORDER: u32 = 40;
+
+/// Why a response could not be computed.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum ResponseError {
+    /// The horizon takes more cells than the budget allows.
+    #[error(
+        "--horizon is {horizon} s: the loop has not settled after {reached:.6} s, when the budget of {cells} steps \
+         was spent; must be at most about {reached:.0} s for this loop"
+    )]
+    HorizonTooLong {
+        /// The horizon [s].
+        horizon: f64,
+        /// How far the simulation came [s].
+        reached: f64,
+        /// The budget.
+        cells: u64,
+    },
+    /// A requested time is outside 0 … horizon, or not a number.
+    #[error("time {value} s is outside 0 to the horizon of {horizon} s")]
+    TimeOutside {
+        /// The time asked for [s].
+        value: f64,
+        /// The horizon [s].
+        horizon: f64,
+    },
+}
+
+/// What happens in one cell, in units of the process: polynomials in s from −1 to 1 over the cell.
+pub(super) struct Cell<'a> {
+    /// Start [s].
+    pub(super) start: f64,
+    /// Length [s].
+    pub(super) length: f64,
+    /// Setpoint, relative to the initial level.
+    pub(super) setpoint: f64,
+    /// Control error.
+    pub(super) error: &'a Poly,
+    /// Controller output.
+    pub(super) manipulated: &'a Poly,
+    /// Load estimate of the observer.
+    pub(super) load_estimate: Option<&'a Poly>,
+}
+
+/// Receives the response as it is computed.
+pub(super) trait Watch {
+    /// The next cell, in order.
+    fn cell(&mut self, cell: &Cell<'_>);
+}
+
+/// How a run ended.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Outcome {
+    /// When the signals left the range of numbers [s].
+    pub(super) overflow_at: Option<f64>,
+    /// Whether the controller output contained an impulse.
+    pub(super) impulsive: bool,
+}
+
+/// Factors of one block for one cell length.
+#[derive(Debug, Clone)]
+enum Factors {
+    Integral,
+    Lag(Lag),
+    Coupled(CoupledLags),
+    Unusable,
+}
+
+/// An impulse on its way through a channel.
+#[derive(Debug, Clone, Copy)]
+struct Impulse {
+    arrival: Instant,
+    channel: usize,
+    mass: f64,
+}
+
+/// One loop on its way through one scenario.
+pub(super) struct Solver<'a> {
+    system: &'a System,
+    states: Vec<f64>,
+    lines: Vec<DelayLine>,
+    impulses: Vec<Impulse>,
+    now: Instant,
+    setpoint: f64,
+    load: f64,
+    rest: Rest,
+    state_scales: Vec<f64>,
+    input_scales: Vec<f64>,
+    /// Longest next cell [s], from how the last ones went.
+    cap: f64,
+    /// First cell after an event [s]: short enough for the fastest pole.
+    fresh: f64,
+    quiet: f64,
+    longest_delay: f64,
+    impulsive: bool,
+    cache: Vec<(u64, Vec<Factors>)>,
+    state_polys: Vec<Poly>,
+    delayed_polys: Vec<Poly>,
+    input_polys: Vec<Poly>,
+    end_states: Vec<f64>,
+}
+
+const CACHE: usize = 64;
+
+impl<'a> Solver<'a> {
+    pub(super) fn new(system: &'a System) -> Self {
+        let (n, channels) = (system.rates.len(), system.inputs.len());
+        let fastest = (0..n).map(|i| system.own_rate(i).abs()).fold(0.0, f64::max);
+        Self {
+            system,
+            states: vec![0.0; n],
+            lines: system.delays.iter().map(|&d| DelayLine::at_rest(d, channels > 1)).collect(),
+            impulses: Vec::new(),
+            now: Instant::new(0.0),
+            setpoint: 0.0,
+            load: 0.0,
+            rest: system.rest(0.0, 0.0),
+            state_scales: vec![0.0; n],
+            input_scales: vec![0.0; channels],
+            cap: f64::INFINITY,
+            fresh: 11.0 / fastest,
+            quiet: f64::INFINITY,
+            longest_delay: system.delays.iter().copied().fold(0.0, f64::max),
+            impulsive: false,
+            cache: vec![(0, Vec::new()); CACHE],
+            state_polys: vec![[0.0; TERMS]; n],
+            delayed_polys: vec![[0.0; TERMS]; channels],
+            input_polys: vec![[0.0; TERMS]; channels],
+            end_states: vec![0.0; n],
+        }
+    }
+
+    /// Runs the scenario and shows every cell to `watch`.
+    pub(super) fn run(
+        mut self,
+        scenario: &Scenario,
+        watch: &mut impl Watch,
+    ) -> Result<Outcome, ResponseError> {
+        let events = merged_events(scenario);
+        let mut next_event = 0;
+        let horizon = scenario.horizon();
+        let mut cells = 0;
+        loop {
+            let tiny = self.tiny();
+            let mut breakpoint = None;
+            while let Some(&(_, setpoint, load)) =
+                events.get(next_event).filter(|e| self.now.until(e.0) <= tiny)
+            {
+                self.event(setpoint, load);
+                next_event += 1;
+                breakpoint = Some(0);
+            }
+            if self.deliver_impulses(tiny) {
+                breakpoint = Some(0);
+            }
+            let mut room = self.now.until(horizon);
+            if room <= tiny {
+                return Ok(self.outcome(None));
+            }
+            if let Some(event) = events.get(next_event) {
+                room = room.min(self.now.until(event.0));
+            }
+            if self.quiet > self.longest_delay && self.impulses.is_empty() {
+                self.stand_still(room, watch);
+                continue;
+            }
+            for impulse in &self.impulses {
+                room = room.min(impulse.arrival.since(self.now));
+            }
+            for line in &self.lines {
+                if let Some(order) = line.breakpoint_now(tiny) {
+                    breakpoint = Some(breakpoint.map_or(order, |b: u32| b.min(order)));
+                }
+            }
+            let Some(length) = self.step(room, tiny) else {
+                return Ok(self.outcome(Some(self.now.seconds())));
+            };
+            self.show(length, watch);
+            self.commit(length, tiny, breakpoint);
+            cells += 1;
+            if cells > CELL_BUDGET {
+                return Err(ResponseError::HorizonTooLong { horizon, reached: self.now.seconds(), cells });
+            }
+        }
+    }
+
+    fn outcome(&self, overflow_at: Option<f64>) -> Outcome {
+        Outcome { overflow_at, impulsive: self.impulsive }
+    }
+
+    /// Times closer than this are the same time [s].
+    fn tiny(&self) -> f64 {
+        4.0 * f64::EPSILON * self.now.seconds().max(self.longest_delay)
+    }
+
+    /// The setpoint and the load change by these amounts.
+    fn event(&mut self, setpoint: f64, load: f64) {
+        self.setpoint += setpoint;
+        self.load += load;
+        let before = std::mem::replace(&mut self.rest, self.system.rest(self.setpoint, self.load));
+        let step = self.system.rest(setpoint, load);
+        for (i, state) in self.states.iter_mut().enumerate() {
+            *state += self.system.rates[i].setpoint_rate * setpoint - step.states[i];
+        }
+        for (c, line) in self.lines.iter_mut().enumerate() {
+            let shift = before.delayed[c] - self.rest.delayed[c];
+            if shift != 0.0 {
+                line.shift(shift);
+            }
+            let mass = self.system.inputs[c].setpoint_rate * setpoint;
+            if mass != 0.0 {
+                self.impulses.push(Impulse {
+                    arrival: self.now.plus(self.system.delays[c]),
+                    channel: c,
+                    mass,
+                });
+            }
+        }
+        self.impulsive |= self.system.manipulated.setpoint_rate * setpoint != 0.0;
+        self.quiet = 0.0;
+        self.cap = self.fresh;
+    }
+
+    /// Impulses that come out of their channel now: states jump and what passes straight on goes in again.
+    fn deliver_impulses(&mut self, tiny: f64) -> bool {
+        let mut any = false;
+        let mut index = 0;
+        while index < self.impulses.len() {
+            if self.impulses[index].arrival.since(self.now) > tiny {
+                index += 1;
+                continue;
+            }
+            let Impulse { channel, mass, arrival } = self.impulses.swap_remove(index);
+            any = true;
+            for (state, row) in self.states.iter_mut().zip(&self.system.rates) {
+                *state += row.channel(channel) * mass;
+            }
+            self.impulsive |= self.system.manipulated.channel(channel) != 0.0;
+            for (c, row) in self.system.inputs.iter().enumerate() {
+                let passed = row.channel(channel) * mass;
+                // Below the smallest normal number nothing is left to carry.
+                if passed.abs() > f64::MIN_POSITIVE {
+                    let arrival = arrival.plus(self.system.delays[c]);
+                    self.impulses.push(Impulse { arrival, channel: c, mass: passed });
+                }
+            }
+        }
+        if any {
+            self.quiet = 0.0;
+        }
+        any
+    }
+
+    /// Nothing moves until the next event: one cell of constants.
+    fn stand_still(&mut self, room: f64, watch: &mut impl Watch) {
+        self.states.fill(0.0);
+        for (line, &delay) in self.lines.iter_mut().zip(&self.system.delays) {
+            *line = DelayLine::at_rest(delay, self.system.delays.len() > 1);
+        }
+        self.state_polys.fill([0.0; TERMS]);
+        self.input_polys.fill([0.0; TERMS]);
+        self.delayed_polys.fill([0.0; TERMS]);
+        self.show(room, watch);
+        self.now = self.now.plus(room);
+        self.quiet = f64::INFINITY;
+    }
+
+    /// Finds the next acceptable cell; returns its length, or `None` on overflow.
+    fn step(&mut self, room: f64, tiny: f64) -> Option<f64> {
+        let several = self.lines.len() > 1;
+        let ahead = self
+            .lines
+            .iter()
+            .map(|line| if several { line.to_edge_within(2, tiny) } else { line.to_edge() })
+            .fold(f64::INFINITY, f64::min);
+        let mut length = ahead;
+        if room < length - tiny {
+            length = room;
+        }
+        if self.cap < length {
+            // No slivers: what is left after this cell is at least a third of it.
+            length = if self.cap * 1.3 < length { self.cap } else { length };
+        }
+        let shortest = tiny.max(1e-13 * self.longest_delay);
+        let mut halved = false;
+        loop {
+            self.compute(length, tiny);
+            let good = self.acceptable();
+            if good.is_none() && !self.finite() && length <= shortest * 2.0 {
+                return None;
+            }
+            if good == Some(true) || length <= shortest * 2.0 {
+                self.cap = if halved { 2.0 * length } else { 3.0 * self.cap.min(length.max(self.cap)) };
+                return if self.finite() { Some(length) } else { None };
+            }
+            if good.is_none() && self.at_the_end_of_range() {
+                return None;
+            }
+            length *= 0.5;
+            halved = true;
+        }
+    }
+
+    /// Computes all polynomials of the next cell of this length.
+    fn compute(&mut self, length: f64, tiny: f64) {
+        for (poly, line) in self.delayed_polys.iter_mut().zip(&self.lines) {
+            *poly = line.ahead(length, tiny).0;
+        }
+        let system = self.system;
+        let slot = self.factors(length);
+        let half = 0.5 * length;
+        for (factors, &(from, to)) in self.cache[slot].1.iter().zip(&system.blocks) {
+            if let Factors::Coupled(lags) = factors {
+                let forcing: Vec<Poly> = (from..to)
+                    .map(|i| forcing(system, i, from, half, &self.state_polys, &self.delayed_polys, self))
+                    .collect();
+                lags.solve(&forcing, &self.states[from..to], &mut self.state_polys[from..to]);
+                for i in from..to {
+                    self.end_states[i] = ends(&self.state_polys[i]).1;
+                }
+                continue;
+            }
+            let g = forcing(system, from, from, half, &self.state_polys, &self.delayed_polys, self);
+            let start = self.states[from];
+            match factors {
+                Factors::Lag(lag) => {
+                    self.state_polys[from] = lag.solve(&g, start);
+                    self.end_states[from] = ends(&self.state_polys[from]).1;
+                }
+                Factors::Unusable | Factors::Coupled(_) => self.state_polys[from] = [f64::NAN; TERMS],
+                Factors::Integral => {
+                    self.state_polys[from] = integrated(&g);
+                    self.state_polys[from][0] += start;
+                    self.end_states[from] = start + 2.0 * g[0];
+                }
+            }
+        }
+        for (c, row) in system.inputs.iter().enumerate() {
+            let mut input = combined(row, &self.state_polys, &self.delayed_polys);
+            if !system.has_rest {
+                input[0] += row.of(&[], &[], self.setpoint, self.load);
+            }
+            self.input_polys[c] = input;
+        }
+    }
+
+    /// Whether the cell resolves its signals; `None` if they are not finite.
+    fn acceptable(&self) -> Option<bool> {
+        let resolved = |poly: &Poly, scale: f64| {
+            let size = magnitude(poly);
+            size.is_finite().then(|| tail(poly) <= TOLERANCE * scale.max(size))
+        };
+        let mut good = true;
+        for (poly, &scale) in self.input_polys.iter().zip(&self.input_scales) {
+            good &= resolved(poly, scale)?;
+        }
+        for (poly, &scale) in self.state_polys.iter().zip(&self.state_scales) {
+            good &= resolved(poly, scale)?;
+        }
+        if self.lines.len() > 1 {
+            for (poly, &scale) in self.delayed_polys.iter().zip(&self.input_scales) {
+                good &= resolved(poly, scale)?;
+            }
+        }
+        Some(good)
+    }
+
+    fn finite(&self) -> bool {
+        self.state_polys.iter().chain(&self.input_polys).all(|p| magnitude(p).is_finite())
+            && self.end_states.iter().all(|x| x.is_finite())
+    }
+
+    /// Whether the signals are so large that the next cell overflows.
+    fn at_the_end_of_range(&self) -> bool {
+        self.state_scales.iter().chain(&self.input_scales).any(|&s| s > 1e280)
+    }
+
+    fn show(&self, length: f64, watch: &mut impl Watch) {
+        let system = self.system;
+        let mut error = self.state_polys[system.output].map(|c| -c);
+        error[0] += self.rest.error;
+        let mut manipulated = if system.input_is_manipulated && system.has_rest {
+            self.input_polys[0]
+        } else {
+            combined(&system.manipulated, &self.state_polys, &self.delayed_polys)
+        };
+        manipulated[0] += if system.has_rest {
+            self.rest.manipulated
+        } else {
+            system.manipulated.of(&[], &[], self.setpoint, self.load)
+        };
+        let estimate = system.load_estimate.as_ref().map(|row| {
+            let mut estimate = combined(row, &self.state_polys, &self.delayed_polys);
+            estimate[0] += self.rest.load_estimate;
+            estimate
+        });
+        if !system.has_rest {
+            error[0] += self.setpoint - self.rest.error;
+        }
+        watch.cell(&Cell {
+            start: self.now.seconds(),
+            length,
+            setpoint: self.setpoint,
+            error: &error,
+            manipulated: &manipulated,
+            load_estimate: estimate.as_ref(),
+        });
+    }
+
+    fn commit(&mut self, length: f64, tiny: f64, breakpoint: Option<u32>) {
+        let mut quiet = true;
+        for (i, state) in self.states.iter_mut().enumerate() {
+            *state = self.end_states[i];
+            let size = magnitude(&self.state_polys[i]);
+            self.state_scales[i] = self.state_scales[i].max(size);
+            quiet &= size <= SETTLED * self.state_scales[i];
+        }
+        let order = breakpoint.filter(|&b| self.lines.len() > 1 && b < BREAKPOINT_ORDER).map(|b| b + 1);
+        for (c, line) in self.lines.iter_mut().enumerate() {
+            let size = magnitude(&self.input_polys[c]);
+            self.input_scales[c] = self.input_scales[c].max(size);
+            quiet &= size <= SETTLED * self.input_scales[c];
+            line.advance(length, tiny);
+            let terms = significant(&self.input_polys[c], FLOOR * self.input_scales[c]);
+            line.push(length, &self.input_polys[c], terms, order);
+        }
+        self.quiet = if quiet { self.quiet + length } else { 0.0 };
+        self.now = self.now.plus(length);
+    }
+
+    /// Index of the factors for this cell length, computed if they are not there.
+    fn factors(&mut self, length: f64) -> usize {
+        let bits = length.to_bits();
+        let hash = bits.wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 58;
+        let slot = usize::try_from(hash).unwrap_or(0) % CACHE;
+        if self.cache[slot].0 != bits {
+            let system = self.system;
+            let half = 0.5 * length;
+            let made = system.blocks.iter().map(|&(from, to)| {
+                if to > from + 1 {
+                    let matrix = system.block_matrix((from, to), half);
+                    CoupledLags::new(matrix, to - from).map_or(Factors::Unusable, Factors::Coupled)
+                } else if system.own_rate(from) == 0.0 {
+                    Factors::Integral
+                } else {
+                    Factors::Lag(Lag::new(half * system.own_rate(from)))
+                }
+            });
+            self.cache[slot] = (bits, made.collect());
+        }
+        slot
+    }
+}
+
+/// Forcing of state `i` by earlier blocks (states before `from`) and delayed signals, times half the cell.
+fn forcing(
+    system: &System,
+    i: usize,
+    from: usize,
+    half: f64,
+    states: &[Poly],
+    delayed: &[Poly],
+    solver: &Solver<'_>,
+) -> Poly {
+    let row = &system.rates[i];
+    let mut g = [0.0; TERMS];
+    for &(c, weight) in &row.delayed {
+        add(&mut g, half * weight, &delayed[c]);
+    }
+    for &(j, weight) in row.states.iter().filter(|(j, _)| *j < from) {
+        add(&mut g, half * weight, &states[j]);
+    }
+    if !system.has_rest {
+        g[0] += half * row.of(&[], &[], solver.setpoint, solver.load);
+    }
+    g
+}
+
+fn combined(row: &Row, states: &[Poly], delayed: &[Poly]) -> Poly {
+    let mut sum = [0.0; TERMS];
+    for &(i, weight) in &row.states {
+        add(&mut sum, weight, &states[i]);
+    }
+    for &(c, weight) in &row.delayed {
+        add(&mut sum, weight, &delayed[c]);
+    }
+    sum
+}
+
+/// Time and change of setpoint and load, in order of time.
+fn merged_events(scenario: &Scenario) -> Vec<(f64, f64, f64)> {
+    let mut events: Vec<(f64, f64, f64)> = scenario
+        .setpoint_moves()
+        .into_iter()
+        .map(|(t, step)| (t, step, 0.0))
+        .chain(scenario.load_moves().into_iter().map(|(t, step)| (t, 0.0, step)))
+        .collect();
+    events.sort_by(|a, b| a.0.total_cmp(&b.0));
+    events
+}

@@ -1,0 +1,255 @@
+//! The closed loop in the form the solver runs: sparse rows, blocks of coupled states, and the equilibrium that each
+//! setpoint and load would have.
+
+use crate::model::ClosedLoop;
+use crate::model::closed_loop::{Source, Sum};
+
+/// A weighted sum, sorted by kind of source.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Row {
+    pub(super) states: Vec<(usize, f64)>,
+    pub(super) delayed: Vec<(usize, f64)>,
+    pub(super) setpoint: f64,
+    pub(super) load: f64,
+    pub(super) setpoint_rate: f64,
+}
+
+impl Row {
+    fn new(sum: &Sum) -> Self {
+        let mut row = Self::default();
+        for &(source, weight) in sum.0.iter().filter(|(_, weight)| *weight != 0.0) {
+            match source {
+                Source::Setpoint => row.setpoint += weight,
+                Source::SetpointRate => row.setpoint_rate += weight,
+                Source::Load => row.load += weight,
+                Source::State(i) => row.states.push((i, weight)),
+                Source::Delayed(c) => row.delayed.push((c, weight)),
+            }
+        }
+        row
+    }
+
+    fn state(&self, index: usize) -> f64 {
+        self.states.iter().find(|(i, _)| *i == index).map_or(0.0, |(_, w)| *w)
+    }
+
+    /// Weight of the signal of this channel.
+    pub(super) fn channel(&self, index: usize) -> f64 {
+        self.delayed.iter().find(|(c, _)| *c == index).map_or(0.0, |(_, w)| *w)
+    }
+
+    /// The sum for given values of its sources.
+    pub(super) fn of(&self, states: &[f64], delayed: &[f64], setpoint: f64, load: f64) -> f64 {
+        self.states.iter().map(|&(i, w)| w * states[i]).sum::<f64>()
+            + self.delayed.iter().map(|&(c, w)| w * delayed[c]).sum::<f64>()
+            + self.setpoint * setpoint
+            + self.load * load
+    }
+}
+
+/// Where everything comes to rest under a constant setpoint and load, or the origin where there is no such point.
+#[derive(Debug, Clone)]
+pub(super) struct Rest {
+    pub(super) states: Vec<f64>,
+    pub(super) delayed: Vec<f64>,
+    pub(super) error: f64,
+    pub(super) manipulated: f64,
+    pub(super) load_estimate: f64,
+}
+
+/// The closed loop, ready to run.
+#[derive(Debug, Clone)]
+pub(super) struct System {
+    /// Rate of each state.
+    pub(super) rates: Vec<Row>,
+    /// Input of each channel.
+    pub(super) inputs: Vec<Row>,
+    /// Delay of each channel [s].
+    pub(super) delays: Vec<f64>,
+    /// Index of the state that is the controlled variable.
+    pub(super) output: usize,
+    /// Controller output.
+    pub(super) manipulated: Row,
+    /// Load estimate of the observer.
+    pub(super) load_estimate: Option<Row>,
+    /// Ranges of states that drive each other; earlier blocks drive later ones.
+    pub(super) blocks: Vec<(usize, usize)>,
+    /// Whether the input of channel 0 is the controller output plus constants.
+    pub(super) input_is_manipulated: bool,
+    /// Whether [`Rest`] is an equilibrium; otherwise constants force the deviations.
+    pub(super) has_rest: bool,
+    rest_of_setpoint: Rest,
+    rest_of_load: Rest,
+}
+
+impl System {
+    pub(super) fn new(closed_loop: &ClosedLoop) -> Self {
+        let rates: Vec<Row> = closed_loop.rates().iter().map(Row::new).collect();
+        let inputs: Vec<Row> = closed_loop.channels().iter().map(|c| Row::new(&c.input)).collect();
+        let manipulated = Row::new(closed_loop.manipulated_variable());
+        let load_estimate = closed_loop.load_estimate().map(Row::new);
+        let output = closed_loop.controlled_variable();
+        let input_is_manipulated =
+            inputs[0].states == manipulated.states && inputs[0].delayed == manipulated.delayed;
+        let solve = |setpoint, load| equilibrium(&rates, &inputs, setpoint, load);
+        let points = solve(1.0, 0.0).zip(solve(0.0, 1.0));
+        let has_rest = points.is_some();
+        let n = rates.len();
+        let (of_setpoint, of_load) = points.unwrap_or_else(|| {
+            let origin = vec![0.0; n + inputs.len()];
+            (origin.clone(), origin)
+        });
+        let rest = |point: Vec<f64>, setpoint: f64, load: f64| {
+            let (states, delayed) = (point[..n].to_vec(), point[n..].to_vec());
+            let manipulated = if has_rest && input_is_manipulated {
+                // Exact where the general sum would leave rounding: at rest the process input is what it must be.
+                delayed[0]
+                    - (inputs[0].load - manipulated.load) * load
+                    - (inputs[0].setpoint - manipulated.setpoint) * setpoint
+            } else {
+                manipulated.of(&states, &delayed, setpoint, load)
+            };
+            let load_estimate =
+                load_estimate.as_ref().map_or(0.0, |row| row.of(&states, &delayed, setpoint, load));
+            Rest { error: setpoint - states[output], states, delayed, manipulated, load_estimate }
+        };
+        let (rest_of_setpoint, rest_of_load) = (rest(of_setpoint, 1.0, 0.0), rest(of_load, 0.0, 1.0));
+        let delays = closed_loop.channels().iter().map(|c| c.delay).collect();
+        let blocks = blocks(&rates);
+        Self {
+            rates,
+            inputs,
+            delays,
+            output,
+            manipulated,
+            load_estimate,
+            blocks,
+            input_is_manipulated,
+            has_rest,
+            rest_of_setpoint,
+            rest_of_load,
+        }
+    }
+
+    /// The point of rest for this setpoint and load.
+    pub(super) fn rest(&self, setpoint: f64, load: f64) -> Rest {
+        let (r, d) = (&self.rest_of_setpoint, &self.rest_of_load);
+        let mix = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| setpoint * a + load * b).collect();
+        Rest {
+            states: mix(&r.states, &d.states),
+            delayed: mix(&r.delayed, &d.delayed),
+            error: setpoint * r.error + load * d.error,
+            manipulated: setpoint * r.manipulated + load * d.manipulated,
+            load_estimate: setpoint * r.load_estimate + load * d.load_estimate,
+        }
+    }
+
+    /// How a state drives itself.
+    pub(super) fn own_rate(&self, state: usize) -> f64 {
+        self.rates[state].state(state)
+    }
+
+    /// The matrix of a block of coupled states, row by row, times `factor`.
+    pub(super) fn block_matrix(&self, (from, to): (usize, usize), factor: f64) -> Vec<f64> {
+        (from..to).flat_map(|i| (from..to).map(move |j| factor * self.rates[i].state(j))).collect()
+    }
+}
+
+/// Smallest runs of states such that no state is driven by a later run.
+fn blocks(rates: &[Row]) -> Vec<(usize, usize)> {
+    let mut blocks = Vec::new();
+    let (mut from, mut to) = (0, 0);
+    for (i, row) in rates.iter().enumerate() {
+        let last = row.states.iter().map(|&(j, _)| j + 1).max().unwrap_or(0);
+        to = to.max(last).max(i + 1);
+        if to == i + 1 {
+            blocks.push((from, to));
+            from = to;
+        }
+    }
+    blocks
+}
+
+/// States and delayed signals at which nothing moves, or `None` where there is no unique such point.
+///
+/// Rows with one unknown are eliminated first, so that what is zero by structure (the process input of an
+/// integrating process, the error under integral action) comes out as exactly zero.
+fn equilibrium(rates: &[Row], inputs: &[Row], setpoint: f64, load: f64) -> Option<Vec<f64>> {
+    let (n, channels) = (rates.len(), inputs.len());
+    let size = n + channels;
+    let mut matrix: Vec<Vec<f64>> = Vec::with_capacity(size);
+    for (index, row) in rates.iter().chain(inputs).enumerate() {
+        let mut line = vec![0.0; size + 1];
+        row.states.iter().for_each(|&(i, w)| line[i] += w);
+        row.delayed.iter().for_each(|&(c, w)| line[n + c] += w);
+        if index >= n {
+            line[index] -= 1.0;
+        }
+        line[size] = -(row.setpoint * setpoint + row.load * load);
+        // Rows of one scale, so that the choice of the largest pivot means something.
+        let scale = line[..size].iter().fold(0.0f64, |m, v| m.max(v.abs()));
+        if scale > 0.0 {
+            line.iter_mut().for_each(|v| *v /= scale);
+        }
+        matrix.push(line);
+    }
+    let mut order = Vec::with_capacity(size);
+    for step in 0..size {
+        let count = |line: &Vec<f64>| line[..size].iter().filter(|v| **v != 0.0).count();
+        let row = (step..size).filter(|&i| count(&matrix[i]) > 0).min_by_key(|&i| count(&matrix[i]))?;
+        matrix.swap(step, row);
+        let pivot_row = matrix[step].clone();
+        let column = (0..size).max_by(|&i, &j| pivot_row[i].abs().total_cmp(&pivot_row[j].abs()))?;
+        if pivot_row[column].abs() < 1e-13 {
+            return None;
+        }
+        order.push(column);
+        for (i, line) in matrix.iter_mut().enumerate() {
+            if i != step && line[column] != 0.0 {
+                let factor = line[column] / pivot_row[column];
+                for (v, p) in line.iter_mut().zip(&pivot_row) {
+                    *v -= factor * p;
+                }
+                line[column] = 0.0;
+            }
+        }
+    }
+    let mut point = vec![0.0; size];
+    for (line, column) in matrix.iter().zip(order) {
+        point[column] = line[size] / line[column];
+    }
+    point.iter().all(|v| v.is_finite()).then_some(point)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::{Controller, Observer, Process, Seconds};
+
+    fn system(controller: Controller) -> System {
+        System::new(&ClosedLoop::new(&Process::integrating(0.0506, Seconds(6.0)).unwrap(), &controller))
+    }
+
+    #[test]
+    fn at_rest_integral_action_has_no_error_and_carries_the_load_exactly() {
+        let pid = Controller::proportional(2.95).unwrap().with_integral_time(Seconds(15.0)).unwrap();
+        let pid = pid.with_derivative_time(Seconds(3.0)).unwrap().with_filter_bandwidth(100.0).unwrap();
+        let rest = system(pid).rest(3.0, 1.0);
+        assert_eq!((rest.error, rest.manipulated), (0.0, -1.0));
+        assert_eq!(rest.delayed, vec![0.0]);
+    }
+
+    #[test]
+    fn at_rest_proportional_control_leaves_the_error_that_the_load_needs() {
+        let rest = system(Controller::proportional(2.0).unwrap()).rest(3.0, 1.0);
+        assert_eq!((rest.error, rest.manipulated), (-0.5, -1.0));
+    }
+
+    #[test]
+    fn at_rest_the_observer_estimates_the_load() {
+        let observed = Controller::proportional(2.0).unwrap().with_observer(Observer::new(0.7).unwrap());
+        let rest = system(observed).rest(3.0, 1.0);
+        assert_eq!((rest.error, rest.manipulated), (0.0, -1.0));
+        assert!((rest.load_estimate - 1.0).abs() < 1e-15);
+    }
+}
