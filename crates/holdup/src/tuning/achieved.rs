@@ -7,7 +7,7 @@ use num_complex::Complex64;
 use crate::analysis::frequency::{Margins, margins};
 use crate::analysis::metrics::Metrics;
 use crate::analysis::response::{Scenario, simulate};
-use crate::model::{ClosedLoop, Controller, Process, Radians, Seconds};
+use crate::model::{ClosedLoop, Controller, DerivativeFilter, Process, Radians, Seconds};
 
 /// The value of a named quantity of the loop; `None` if there is no such name, or the loop has no such value.
 ///
@@ -48,7 +48,7 @@ pub(super) fn quantity(name: &str, process: &Process, controller: &Controller) -
 }
 
 /// The rightmost oscillating closed-loop pole [rad/s] that Newton's iteration finds from a lattice of starting points
-/// with imaginary part up to 8/d. That none lies further right is not proven.
+/// with imaginary part up to 8/d, and at most 20/d from 0. That none lies further right is not proven.
 fn dominant_oscillation(process: &Process, controller: &Controller) -> Option<Complex64> {
     if controller.observer().is_some() {
         return None;
@@ -59,10 +59,14 @@ fn dominant_oscillation(process: &Process, controller: &Controller) -> Option<Co
         let mut z = Complex64::new(-4.0 + 0.25 * f64::from(column), 0.25 * f64::from(row));
         for _ in 0..60 {
             // The slope may be rough, the function is exact: the iteration ends at the root itself.
-            let h = 1e-6 * (1.0 + z.norm());
+            let h = 1e-6;
             let f = |z: Complex64| characteristic(process, controller, z / d);
             let step = f(z) * 2.0 * h / (f(z + h) - f(z - h));
             z -= step;
+            // Far out the exponential overflows or outweighs the rest by more than the digits of a number.
+            if !z.is_finite() || z.norm() > 20.0 {
+                break;
+            }
             if step.norm() <= 1e-13 * z.norm() {
                 if z.im > 1e-6 && rightmost.is_none_or(|pole| z.re > pole.re) {
                     rightmost = Some(z);
@@ -79,7 +83,7 @@ fn characteristic(process: &Process, controller: &Controller, s: Complex64) -> C
     let lag = |time: f64| s * time + 1.0;
     let ti = controller.integral_time();
     let td = controller.derivative_time().unwrap_or(0.0);
-    let filter = lag(controller.derivative_filter().map_or(0.0, |filter| filter.time()));
+    let filter = lag(controller.derivative_filter().map_or(0.0, DerivativeFilter::time));
     let output = controller.output_filter().map_or(Complex64::from(1.0), |f| (s * f.a2 + f.a1) * s + 1.0);
     let (numerator, integral) = match ti {
         Some(ti) => (lag(ti) * filter + s * s * ti * td, s * ti),

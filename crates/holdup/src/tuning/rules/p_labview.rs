@@ -1,4 +1,4 @@
-//! NI LabVIEW PID toolkit, P (0% / some overshoot).
+//! NI `LabVIEW` PID toolkit, P (0% / some overshoot).
 //!
 //! # Applies to
 //! The plain integrator with dead time.
@@ -13,13 +13,14 @@
 //! Careful P control: no overshoot by default, about 1 % with the other variant.
 //!
 //! # Limits
-//! Well below the gain at which overshoot begins (0.368/(K d)), so slow. P control leaves a lasting error under load.
+//! The default lies well below the gain at which overshoot begins, 0.368/(K d), so it is slow. P control leaves a
+//! lasting error under load.
 //!
 //! # Published values
 //! `Kc*K*d` = 0.26; `100*overshoot` = 0; `Kc*K*d` = 0.44 at `variant = 0.44`.
 //!
 //! # Reference
-//! National Instruments (2001), LabVIEW PID Control Toolset manual, via O'Dwyer 2009.
+//! National Instruments (2001), `LabVIEW` PID Control Toolset manual, via O'Dwyer 2009.
 
 use crate::tuning::{Applies, Default, Entry, Form, Parameter, Provenance, Status, Unit, by_formula};
 
@@ -42,8 +43,8 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     .range("0.26 | 0.44")],
     formula: &[("Kc", "variant/(K*d)")],
     when: "Careful P control: no overshoot by default, about 1 % with the other variant.",
-    limits: "Well below the gain at which overshoot begins (0.368/(K d)), so slow. P control leaves a \
-             lasting error under load.",
+    limits: "The default lies well below the gain at which overshoot begins, 0.368/(K d), so it is slow. \
+             P control leaves a lasting error under load.",
     validity: &[],
     provenance: Provenance::Retrieved,
     source: "public code on GitHub: S7_PID-Tuner, a transcription of O'Dwyer's handbook",

@@ -4,9 +4,9 @@
 //! The plain integrator with dead time.
 //!
 //! # Formula
-//! `ratio = TCL/d`, `Kc = row(ratio, 1, 0.9588, 2, 0.6232, 3, 0.4668, 4, 0.3752, 5, 0.3144, 6, 0.2709)/(K*d)`, `Ti =
-//! row(ratio, 1, 3.0425, 2, 5.2586, 3, 7.2291, 4, 9.1925, 5, 11.1637, 6, 13.1416)*d`. `ratio` is the parameter, whose
-//! name has a stroke in it.
+//! `ratio = TCL/d`, `Kc = row(ratio, 1, 0.9588, 2, 0.6232, 3, 0.4668, 4, 0.3752, 5, 0.3144, 6, 0.2709)/(K*d)`,
+//! `Ti = row(ratio, 1, 3.0425, 2, 5.2586, 3, 7.2291, 4, 9.1925, 5, 11.1637, 6, 13.1416)*d`. `ratio` is the parameter,
+//! whose name has a stroke in it.
 //!
 //! # Parameters
 //! `TCL/d`, default 3: closed-loop time constant over dead time (one of 1, 2, 3, 4, 5, 6).

@@ -4,8 +4,8 @@
 //! The plain integrator with dead time.
 //!
 //! # Formula
-//! `f = (1 + sqrt(1 + 4/c^2))/2`, `a = atan(c*sqrt(f))/sqrt(f)`, `Kc = a/((delta + 1)*K*d)`, `Ti = (c/a)*(delta +
-//! 1)*d`.
+//! `f = (1 + sqrt(1 + 4/c^2))/2`, `a = atan(c*sqrt(f))/sqrt(f)`, `Kc = a/((delta + 1)*K*d)`,
+//! `Ti = (c/a)*(delta + 1)*d`.
 //!
 //! # Parameters
 //! `delta`, default 1.6: relative delay margin: extra dead time over d.

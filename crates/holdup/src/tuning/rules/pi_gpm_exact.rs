@@ -100,16 +100,16 @@ fn phase_margin_at(crossover: f64, gain_margin: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::phase_margin_at;
+    use super::{FRAC_PI_2, phase_margin_at};
     use crate::model::{Process, Seconds};
     use crate::tuning::{Parameters, rule};
 
     #[test]
     fn phase_margin_rises_with_the_phase_crossover_up_to_that_of_proportional_control() {
         for gain_margin in [1.001, 1.1, 1.5, 2.0, 3.0, 5.0, 20.0, 1000.0] {
-            let margin = |i: u32| phase_margin_at(1.5707 * f64::from(i) / 1000.0, gain_margin);
+            let margin = |i: u32| phase_margin_at(FRAC_PI_2 * f64::from(i) / 1001.0, gain_margin);
             assert!((11..=1000).all(|i| margin(i) > margin(i - 1)), "{gain_margin}");
-            let limit = std::f64::consts::FRAC_PI_2 * (1.0 - 1.0 / gain_margin);
+            let limit = FRAC_PI_2 * (1.0 - 1.0 / gain_margin);
             assert!(margin(10) > 0.0 && margin(1000) < limit, "{gain_margin}");
         }
     }

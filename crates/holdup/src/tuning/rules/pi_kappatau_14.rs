@@ -4,9 +4,9 @@
 //! The plain integrator with dead time.
 //!
 //! # Formula
-//! `Kc = 0.41*exp(-0.23*tau + 0.019*tau^2)*tau/(K*d)`, `Ti = 5.7*d*exp(1.7*tau - 0.69*tau^2)`, `b = 0.33*exp(2.5*tau -
-//! 1.9*tau^2)`. The general form is for a lag as well: a = K*(d + T), tau = d/(d + T), so K*(d + T) is written
-//! K*d/tau; this process has tau = 1.
+//! `Kc = 0.41*exp(-0.23*tau + 0.019*tau^2)*tau/(K*d)`, `Ti = 5.7*d*exp(1.7*tau - 0.69*tau^2)`,
+//! `b = 0.33*exp(2.5*tau - 1.9*tau^2)`. The general form is for a lag as well: `a = K*(d + T)`, `tau = d/(d + T)`, so
+//! `K*(d + T)` is written `K*d/tau`; this process has tau = 1.
 //!
 //! # Parameters
 //! `tau`, default 1: normalised dead time d/(d + T), 1 for the plain integrator (must be > 0 and <= 1).

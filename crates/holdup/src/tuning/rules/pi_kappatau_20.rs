@@ -4,9 +4,9 @@
 //! The plain integrator with dead time.
 //!
 //! # Formula
-//! `Kc = 0.81*exp(-1.1*tau + 0.76*tau^2)*tau/(K*d)`, `Ti = 3.4*d*exp(0.28*tau - 0.0089*tau^2)`, `b = 0.78*exp(-1.9*tau
-//! + 1.2*tau^2)`. The general form is for a lag as well: a = K*(d + T), tau = d/(d + T), so K*(d + T) is written
-//! K*d/tau; this process has tau = 1.
+//! `Kc = 0.81*exp(-1.1*tau + 0.76*tau^2)*tau/(K*d)`, `Ti = 3.4*d*exp(0.28*tau - 0.0089*tau^2)`,
+//! `b = 0.78*exp(-1.9*tau + 1.2*tau^2)`. The general form is for a lag as well: `a = K*(d + T)`, `tau = d/(d + T)`, so
+//! `K*(d + T)` is written `K*d/tau`; this process has tau = 1.
 //!
 //! # Parameters
 //! `tau`, default 1: normalised dead time d/(d + T), 1 for the plain integrator (must be > 0 and <= 1).

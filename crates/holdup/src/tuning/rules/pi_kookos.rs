@@ -4,8 +4,8 @@
 //! The plain integrator with dead time.
 //!
 //! # Formula
-//! `Kc = row(row, 1, 0.942, 2, 0.698, 3, 0.491, 4, 0.384)/(K*d)`, `Ti = row(row, 1, 4.510, 2, 4.098, 3, 6.942, 4,
-//! 18.710)*d`.
+//! `Kc = row(row, 1, 0.942, 2, 0.698, 3, 0.491, 4, 0.384)/(K*d)`,
+//! `Ti = row(row, 1, 4.510, 2, 4.098, 3, 6.942, 4, 18.710)*d`.
 //!
 //! # Parameters
 //! `row`, default 3: row of the table: gain margin and phase margin 1.5, 22.5 deg; 2, 30 deg; 3, 45 deg; 4, 60 deg

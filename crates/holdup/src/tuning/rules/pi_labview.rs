@@ -1,4 +1,4 @@
-//! NI LabVIEW PI, some overshoot / little overshoot.
+//! NI `LabVIEW` PI, some overshoot / little overshoot.
 //!
 //! # Applies to
 //! The plain integrator with dead time.
@@ -20,7 +20,7 @@
 //! `Kc*K*d` = 0.4; `Ti/d` = 5.33; `Kc*K*d` = 0.24 at `variant = 0.24`.
 //!
 //! # Reference
-//! National Instruments (2001), LabVIEW PID Control Toolset, via O'Dwyer.
+//! National Instruments (2001), `LabVIEW` PID Control Toolset, via O'Dwyer.
 
 use crate::tuning::{Applies, Default, Entry, Form, Parameter, Provenance, Status, Unit, by_formula};
 

@@ -18,9 +18,9 @@
 //! default. Some libraries omit the division by K.
 //!
 //! # Published values
-//! `Kc` = 0.493338 at `tau_c = 8`; `Ti` = 23.4 at `tau_c = 8`; `Kc` = 0.37 at `tau_c = 15`; `Kc` = 0.372767 at `tau_c
-//! = 15` (DIFFERENCE, see the values file); `Ti` = 37.4 at `tau_c = 15`; `sensitivity_peak` = 3.29 at `tau_c = 1`;
-//! `sensitivity_peak` = 1.95 at `tau_c = 2`; `sensitivity_peak` = 1.61 at `tau_c = 3`.
+//! `Kc` = 0.493338 at `tau_c = 8`; `Ti` = 23.4 at `tau_c = 8`; `Kc` = 0.37 at `tau_c = 15`; `Kc` = 0.372767 at
+//! `tau_c = 15` (DIFFERENCE, see the values file); `Ti` = 37.4 at `tau_c = 15`; `sensitivity_peak` = 3.29 at
+//! `tau_c = 1`; `sensitivity_peak` = 1.95 at `tau_c = 2`; `sensitivity_peak` = 1.61 at `tau_c = 3`.
 //!
 //! # Reference
 //! Chien, Fruehauf; Rivera, Morari, Skogestad; Rice, Cooper (1990), Consider IMC tuning to improve controller

@@ -4,8 +4,8 @@
 //! The plain integrator with dead time.
 //!
 //! # Formula
-//! `Kc = row(row, 1, 0.558, 2, 0.484, 3, 0.458, 4, 0.357, 5, 0.305)/(K*d)`, `Ti = row(row, 1, 1.4, 2, 1.55, 3, 3.35,
-//! 4, 4.3, 5, 12.15)*d`.
+//! `Kc = row(row, 1, 0.558, 2, 0.484, 3, 0.458, 4, 0.357, 5, 0.305)/(K*d)`,
+//! `Ti = row(row, 1, 1.4, 2, 1.55, 3, 3.35, 4, 4.3, 5, 12.15)*d`.
 //!
 //! # Parameters
 //! `row`, default 1: row of the table: gain margin and phase margin 1.5, 46.2 deg; 2, 45.5 deg; 3, 59.9 deg; 4, 60

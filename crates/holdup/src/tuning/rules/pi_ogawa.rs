@@ -4,8 +4,8 @@
 //! The plain integrator with dead time.
 //!
 //! # Formula
-//! `Kc = row(uncertainty_pct, 20, 0.45, 30, 0.39, 40, 0.34, 50, 0.3, 60, 0.27)/(K*d)`, `Ti = row(uncertainty_pct, 20,
-//! 11, 30, 12, 40, 13, 50, 14, 60, 15)*d`.
+//! `Kc = row(uncertainty_pct, 20, 0.45, 30, 0.39, 40, 0.34, 50, 0.3, 60, 0.27)/(K*d)`,
+//! `Ti = row(uncertainty_pct, 20, 11, 30, 12, 40, 13, 50, 14, 60, 15)*d`.
 //!
 //! # Parameters
 //! `uncertainty_pct` [%], default 30: uncertainty of the process parameters (one of 20, 30, 40, 50, 60).

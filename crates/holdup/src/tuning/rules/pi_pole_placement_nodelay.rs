@@ -22,8 +22,8 @@
 //! None: no number was retrieved.
 //!
 //! # Reference
-//! Kadam; MathWorks pidtune-era tool (2019), S. D. Kadam, An I + PI controller structure for integrating processes
-//! with dead-time, arXiv 1908.09250; MathWorks utPolePlacement.
+//! Kadam; `MathWorks` pidtune-era tool (2019), S. D. Kadam, An I + PI controller structure for integrating processes
+//! with dead-time, arXiv 1908.09250; `MathWorks` `utPolePlacement`.
 
 use crate::tuning::{
     Applies, Default, Entry, Form, Parameter, Property, Provenance, Status, Unit, by_formula,

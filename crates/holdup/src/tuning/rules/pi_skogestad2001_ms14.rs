@@ -19,7 +19,7 @@
 //! `sensitivity_peak` = 1.4.
 //!
 //! # Reference
-//! Skogestad (2001), Probably the best simple PID tuning rules in the world, AIChE Annual Meeting, Reno 2001 (row as
+//! Skogestad (2001), Probably the best simple PID tuning rules in the world, `AIChE` Annual Meeting, Reno 2001 (row as
 //! in O'Dwyer).
 
 use crate::tuning::{Applies, Entry, Form, Provenance, Status, by_formula};

@@ -20,7 +20,7 @@
 //! `sensitivity_peak` = 1.7 (DIFFERENCE, see the values file).
 //!
 //! # Reference
-//! Skogestad (2001), Probably the best simple PID tuning rules in the world, AIChE Annual Meeting, Reno 2001.
+//! Skogestad (2001), Probably the best simple PID tuning rules in the world, `AIChE` Annual Meeting, Reno 2001.
 
 use crate::tuning::{Applies, Entry, Form, Provenance, Status, by_formula};
 

@@ -19,7 +19,7 @@
 //! `sensitivity_peak` = 2.0.
 //!
 //! # Reference
-//! Skogestad (2001), Probably the best simple PID tuning rules in the world, AIChE Annual Meeting, Reno 2001.
+//! Skogestad (2001), Probably the best simple PID tuning rules in the world, `AIChE` Annual Meeting, Reno 2001.
 
 use crate::tuning::{Applies, Entry, Form, Provenance, Status, by_formula};
 

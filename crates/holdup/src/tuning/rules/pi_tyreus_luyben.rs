@@ -13,8 +13,8 @@
 //! Levels and other integrating loops where a smooth, robust loop matters more than a quick return from a load.
 //!
 //! # Limits
-//! Slow integral: load IAE 18 K d^2, against 13 of `pi-maxki-ms` at the same `M_s`. Often printed as Ku/3.2 and 2.2 Pu
-//! = 8.8 d.
+//! Slow integral: load IAE 18 K d^2 at `M_s` 1.67, against 13 of `pi-maxki-ms` at 1.7. Often printed as Ku/3.2 and 2.2
+//! Pu = 8.8 d.
 //!
 //! # Published values
 //! `20*ln(complementary_sensitivity_peak)/ln(10)` = 2.0; `pi/(2*Kc*K*d)` = 3.2; `Ti/(4*d)` = 2.2.
@@ -40,8 +40,8 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     formula: &[("Kc", "0.487/(K*d)"), ("Ti", "8.75*d")],
     when: "Levels and other integrating loops where a smooth, robust loop matters more than a quick \
            return from a load.",
-    limits: "Slow integral: load IAE 18 K d^2, against 13 of pi-maxki-ms at the same M_s. Often printed \
-             as Ku/3.2 and 2.2 Pu = 8.8 d.",
+    limits: "Slow integral: load IAE 18 K d^2 at M_s 1.67, against 13 of pi-maxki-ms at 1.7. Often \
+             printed as Ku/3.2 and 2.2 Pu = 8.8 d.",
     validity: &[],
     provenance: Provenance::Retrieved,
     source: "znmethod.pdf of pages.mtu.edu",
