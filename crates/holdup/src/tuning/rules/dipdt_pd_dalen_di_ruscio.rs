@@ -28,7 +28,9 @@
 //! Dalen, Di Ruscio (2017), Tuning PD and PID controllers for double integrating plus time delay systems, Modeling,
 //! Identification and Control 38(2).
 
-use crate::tuning::{Applies, Default, Entry, Form, Parameter, Property, Provenance, Status, Unit, by_formula};
+use crate::tuning::{
+    Applies, Default, Entry, Form, Parameter, Property, Provenance, Status, Unit, by_formula,
+};
 
 /// The rule.
 pub(in crate::tuning) static ENTRY: Entry = Entry {
@@ -41,8 +43,18 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     structure: "PD",
     process: Applies::DoubleIntegrating,
     form: Form::Ideal,
-    parameters: &[Parameter::new("delta", Unit::Ratio, Default::Number(1.6), "delay margin over dead time").asks(Property::RelativeDelayMargin), Parameter::new("c", Unit::Ratio, Default::Number(4.0), "shape of the loop, K*Kc*Td^2").advised("1.5..4")],
-    formula: &[("f", "(1 + sqrt(1 + 4/c^2))/2"), ("a", "atan(c*sqrt(f))/sqrt(f)"), ("Td", "c/a*(delta + 1)*d"), ("Kc", "a/((delta + 1)*d)/(K*Td)")],
+    parameters: &[
+        Parameter::new("delta", Unit::Ratio, Default::Number(1.6), "delay margin over dead time")
+            .asks(Property::RelativeDelayMargin),
+        Parameter::new("c", Unit::Ratio, Default::Number(4.0), "shape of the loop, K*Kc*Td^2")
+            .advised("1.5..4"),
+    ],
+    formula: &[
+        ("f", "(1 + sqrt(1 + 4/c^2))/2"),
+        ("a", "atan(c*sqrt(f))/sqrt(f)"),
+        ("Td", "c/a*(delta + 1)*d"),
+        ("Kc", "a/((delta + 1)*d)/(K*Td)"),
+    ],
     when: "A double integrator whose dead time is uncertain: says how much more dead time it must bear.",
     limits: "A load D at the process input leaves a lasting error of D/Kc. The parameters are derived here: \
              those of the paper did not come here, only its title and its property. Sensitivity peak 1.70 at \

@@ -38,7 +38,10 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     process: Applies::DoubleIntegrating,
     form: Form::Ideal,
     parameters: &[],
-    formula: &[("Kc", "2*(sqrt(2) - 1)*exp(sqrt(2) - 2)/((3 + 2*sqrt(2))*K*d^2)"), ("Td", "(3 + 2*sqrt(2))*d")],
+    formula: &[
+        ("Kc", "2*(sqrt(2) - 1)*exp(sqrt(2) - 2)/((3 + 2*sqrt(2))*K*d^2)"),
+        ("Td", "(3 + 2*sqrt(2))*d"),
+    ],
     when: "Setpoint steps of a double integrator without oscillation at the fastest triple real pole.",
     limits: "A load D at the process input leaves a lasting error of D/Kc. Sensitivity peak 1.70, gain margin \
              3.13, phase margin 43°; at setpoint weight 1 the large derivative makes a setpoint step \

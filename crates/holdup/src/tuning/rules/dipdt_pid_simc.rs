@@ -24,7 +24,9 @@
 //! Skogestad (2003), Simple analytic rules for model reduction and PID controller tuning, J. Process Control 13,
 //! 291-309.
 
-use crate::tuning::{Applies, Default, Entry, Form, Parameter, Property, Provenance, Status, Unit, by_formula};
+use crate::tuning::{
+    Applies, Default, Entry, Form, Parameter, Property, Provenance, Status, Unit, by_formula,
+};
 
 /// The rule.
 pub(in crate::tuning) static ENTRY: Entry = Entry {
@@ -37,7 +39,9 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     structure: "PID",
     process: Applies::DoubleIntegrating,
     form: Form::Series,
-    parameters: &[Parameter::new("tau_c", Unit::Second, Default::Formula("d"), "closed-loop time constant").advised(">= d").asks(Property::ClosedLoopTimeConstant)],
+    parameters: &[Parameter::new("tau_c", Unit::Second, Default::Formula("d"), "closed-loop time constant")
+        .advised(">= d")
+        .asks(Property::ClosedLoopTimeConstant)],
     formula: &[("Kc", "1/(4*K*(tau_c + d)^2)"), ("Ti", "4*(tau_c + d)"), ("Td", "4*(tau_c + d)")],
     when: "The everyday choice for a double integrator: positioning, attitude, a tank after a tank.",
     limits: "Conditionally stable: a gain below 0.165 of the nominal makes the loop unstable too, so a \

@@ -38,8 +38,19 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     structure: "PI",
     process: Applies::IntegratingWithLag,
     form: Form::Ideal,
-    parameters: &[Parameter::new("d_over_T", Unit::Ratio, Default::Formula("near(d/T, 0.5, 0.5, 1, 1, 2, 2)"), "row of the table: dead time over lag").range("0.5 | 1 | 2")],
-    formula: &[("x1", "row(d_over_T, 0.5, 0.193, 1, 0.207, 2, 0.219)"), ("x2", "row(d_over_T, 0.5, 3.717, 1, 3.386, 2, 3.127)"), ("Kc", "2*x1/(K*(T + d))"), ("Ti", "2*x2*(T + d)")],
+    parameters: &[Parameter::new(
+        "d_over_T",
+        Unit::Ratio,
+        Default::Formula("near(d/T, 0.5, 0.5, 1, 1, 2, 2)"),
+        "row of the table: dead time over lag",
+    )
+    .range("0.5 | 1 | 2")],
+    formula: &[
+        ("x1", "row(d_over_T, 0.5, 0.193, 1, 0.207, 2, 0.219)"),
+        ("x2", "row(d_over_T, 0.5, 3.717, 1, 3.386, 2, 3.127)"),
+        ("Kc", "2*x1/(K*(T + d))"),
+        ("Ti", "2*x2*(T + d)"),
+    ],
     when: "Load rejection without oscillation on an integrator with lag, robust; derivative action is not \
            wanted.",
     limits: "Three rows only. Sensitivity peak 1.43, 1.52, 1.60 at d/T = 0.5, 1, 2. Some transcriptions \

@@ -24,7 +24,9 @@
 //! Chien, Fruehauf (1990), Consider IMC tuning to improve controller performance, Chem. Eng. Prog. 86(10); Seborg,
 //! Edgar, Mellichamp, Table 12.1, row O.
 
-use crate::tuning::{Applies, Default, Entry, Form, Parameter, Property, Provenance, Status, Unit, by_formula};
+use crate::tuning::{
+    Applies, Default, Entry, Form, Parameter, Property, Provenance, Status, Unit, by_formula,
+};
 
 /// The rule.
 pub(in crate::tuning) static ENTRY: Entry = Entry {
@@ -37,8 +39,19 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     structure: "PID",
     process: Applies::IntegratingWithLag,
     form: Form::Ideal,
-    parameters: &[Parameter::new("tau_c", Unit::Second, Default::Formula("sqrt(10)*d"), "closed-loop time constant").advised(">= 2*d").asks(Property::ClosedLoopTimeConstant)],
-    formula: &[("Kc", "(2*tau_c + T + d)/(K*(tau_c + d)^2)"), ("Ti", "2*tau_c + T + d"), ("Td", "(2*tau_c + d)*T/(2*tau_c + T + d)")],
+    parameters: &[Parameter::new(
+        "tau_c",
+        Unit::Second,
+        Default::Formula("sqrt(10)*d"),
+        "closed-loop time constant",
+    )
+    .advised(">= 2*d")
+    .asks(Property::ClosedLoopTimeConstant)],
+    formula: &[
+        ("Kc", "(2*tau_c + T + d)/(K*(tau_c + d)^2)"),
+        ("Ti", "2*tau_c + T + d"),
+        ("Td", "(2*tau_c + d)*T/(2*tau_c + T + d)"),
+    ],
     when: "A smooth PID for an integrator with lag whose speed is one time constant.",
     limits: "From memory: no source was read. tau_c below 2 d is not robust: the sensitivity peak is 1.58 at \
              the default, 1.95 at 2 d and 3.29 at d, for every T. The derivative is unfiltered in the source.",

@@ -24,7 +24,9 @@
 //! Skogestad (2003), Simple analytic rules for model reduction and PID controller tuning, J. Process Control 13,
 //! 291-309.
 
-use crate::tuning::{Applies, Default, Entry, Form, Parameter, Property, Provenance, Status, Unit, by_formula};
+use crate::tuning::{
+    Applies, Default, Entry, Form, Parameter, Property, Provenance, Status, Unit, by_formula,
+};
 
 /// The rule.
 pub(in crate::tuning) static ENTRY: Entry = Entry {
@@ -37,7 +39,9 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     structure: "PID",
     process: Applies::IntegratingWithLag,
     form: Form::Series,
-    parameters: &[Parameter::new("tau_c", Unit::Second, Default::Formula("d"), "closed-loop time constant").advised(">= d").asks(Property::ClosedLoopTimeConstant)],
+    parameters: &[Parameter::new("tau_c", Unit::Second, Default::Formula("d"), "closed-loop time constant")
+        .advised(">= d")
+        .asks(Property::ClosedLoopTimeConstant)],
     formula: &[("Kc", "1/(K*(tau_c + d))"), ("Ti", "4*(tau_c + d)"), ("Td", "T")],
     when: "The everyday choice for an integrator with lag.",
     limits: "tau_c below d is less robust than the author recommends. The derivative is unfiltered in the \

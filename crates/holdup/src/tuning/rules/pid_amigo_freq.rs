@@ -37,7 +37,14 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     process: Applies::Integrating,
     form: Form::Ideal,
     parameters: &[],
-    formula: &[("kappa", "0"), ("Ku", "pi/(2*K*d)"), ("Pu", "4*d"), ("Kc", "(0.3 - 0.1*kappa^4)*Ku"), ("Ti", "0.6*Pu/(1 + 2*kappa)"), ("Td", "0.15*Pu*(1 - kappa)/(1 - 0.95*kappa)")],
+    formula: &[
+        ("kappa", "0"),
+        ("Ku", "pi/(2*K*d)"),
+        ("Pu", "4*d"),
+        ("Kc", "(0.3 - 0.1*kappa^4)*Ku"),
+        ("Ti", "0.6*Pu/(1 + 2*kappa)"),
+        ("Td", "0.15*Pu*(1 - kappa)/(1 - 0.95*kappa)"),
+    ],
     when: "Not to be used: kept to show what is wrong with it. For an integrator the same authors give \
            pid-amigo.",
     limits: "The integral time is 2.4 d where pid-amigo has 8 d: phase margin 34°, complementary sensitivity \
@@ -45,8 +52,10 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     validity: &[],
     provenance: Provenance::Retrieved,
     source: "MathWorks utTuningStepResponse.m (public code on GitHub, id 1553951816)",
-    status: Status::Wrong("extrapolated to kappa = 0 its integral time is 2.4 d, which misses the design constraint: sensitivity \
-        peak 1.70 and complementary peak 1.95 instead of 1.4"),
+    status: Status::Wrong(
+        "extrapolated to kappa = 0 its integral time is 2.4 d, which misses the design constraint: sensitivity \
+        peak 1.70 and complementary peak 1.95 instead of 1.4",
+    ),
     values: include_str!("../../../tests/rules/pid-amigo-freq.toml"),
     law: by_formula,
 };

@@ -44,8 +44,10 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     validity: &[],
     provenance: Provenance::Retrieved,
     source: "github gmxavier/turu, turu.py, commit 14911e3c (a transcription of O'Dwyer's handbook of 2009)",
-    status: Status::Wrong("its integral time of 1.418 d leaves a phase margin of 20° and a dominant damping of 0.28, which \
-        contradicts the behaviour its source states"),
+    status: Status::Wrong(
+        "its integral time of 1.418 d leaves a phase margin of 20° and a dominant damping of 0.28, which \
+        contradicts the behaviour its source states",
+    ),
     values: include_str!("../../../tests/rules/pid-callender-2.toml"),
     law: by_formula,
 };

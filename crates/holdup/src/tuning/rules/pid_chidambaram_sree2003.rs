@@ -18,7 +18,8 @@
 //! read. The derivative is unfiltered in the source.
 //!
 //! # Published values
-//! `Kc` = 4.066 (K = 0.0506, d = 6); `Ti` = 27; `Td` = 2.7; `sensitivity_peak` = 3.8.
+//! `Kc` = 4.066 (K = 0.0506, d = 6) — DIFFERENCE, see the values file; `Ti` = 27; `Td` = 2.7; `sensitivity_peak` =
+//! 3.8.
 //!
 //! # Reference
 //! Chidambaram, Padma Sree (2003), A simple method of tuning PID controllers for integrator/dead-time processes,
@@ -54,10 +55,9 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
 
 fn tune(entry: &'static Entry, process: &Process, values: &Values<'_>) -> Result<Tuning, RuleError> {
     let mut tuning = by_formula(entry, process, values)?;
-    tuning.warnings.push(
-        "little robustness: the sensitivity peak is 3.8 and the gain margin 1.37"
-            .to_owned(),
-    );
+    tuning
+        .warnings
+        .push("little robustness: the sensitivity peak is 3.8 and the gain margin 1.37".to_owned());
     Ok(tuning)
 }
 
@@ -70,6 +70,10 @@ mod tests {
     fn its_small_robustness_is_said() {
         let process = Process::integrating(0.5, Seconds(2.0)).unwrap();
         let tuning = rule("pid-chidambaram-sree2003").unwrap().tune(&process, &Parameters::new()).unwrap();
-        assert!(tuning.warnings.iter().any(|w| w.contains("sensitivity peak is 3.8")), "{:?}", tuning.warnings);
+        assert!(
+            tuning.warnings.iter().any(|w| w.contains("sensitivity peak is 3.8")),
+            "{:?}",
+            tuning.warnings
+        );
     }
 }

@@ -40,8 +40,18 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     structure: "PID",
     process: Applies::Integrating,
     form: Form::Ideal,
-    parameters: &[Parameter::new("tcl_over_d", Unit::Ratio, Default::Number(3.0), "row: closed-loop time constant over dead time").range("1 | 2 | 3 | 4 | 5 | 6")],
-    formula: &[("Kc", "row(tcl_over_d, 1, 0.9588, 2, 0.6232, 3, 0.4668, 4, 0.3752, 5, 0.3144, 6, 0.2709)/(K*d)"), ("Ti", "row(tcl_over_d, 1, 3.0425, 2, 5.2586, 3, 7.2291, 4, 9.1925, 5, 11.1637, 6, 13.1416)*d"), ("Td", "row(tcl_over_d, 1, 0.3912, 2, 0.2632, 3, 0.2058, 4, 0.1702, 5, 0.1453, 6, 0.1269)*d")],
+    parameters: &[Parameter::new(
+        "tcl_over_d",
+        Unit::Ratio,
+        Default::Number(3.0),
+        "row: closed-loop time constant over dead time",
+    )
+    .range("1 | 2 | 3 | 4 | 5 | 6")],
+    formula: &[
+        ("Kc", "row(tcl_over_d, 1, 0.9588, 2, 0.6232, 3, 0.4668, 4, 0.3752, 5, 0.3144, 6, 0.2709)/(K*d)"),
+        ("Ti", "row(tcl_over_d, 1, 3.0425, 2, 5.2586, 3, 7.2291, 4, 9.1925, 5, 11.1637, 6, 13.1416)*d"),
+        ("Td", "row(tcl_over_d, 1, 0.3912, 2, 0.2632, 3, 0.2058, 4, 0.1702, 5, 0.1453, 6, 0.1269)*d"),
+    ],
     when: "A PID from sharp (row 1) to very smooth (row 6) in six printed steps; rows 2 to 4 are the robust \
            middle.",
     limits: "Only the printed rows: nothing is interpolated. The derivative times are from memory, gains and \

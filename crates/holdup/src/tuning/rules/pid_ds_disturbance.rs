@@ -26,7 +26,9 @@
 //! Seshagiri Rao, Rao, Padma Sree (family) (2009), Direct synthesis-based controller design for integrating
 //! processes with time delay, J. Franklin Inst. 346, 38-56 (structure; the formula is derived here).
 
-use crate::tuning::{Applies, Default, Entry, Form, Parameter, Property, Provenance, Status, Unit, by_formula};
+use crate::tuning::{
+    Applies, Default, Entry, Form, Parameter, Property, Provenance, Status, Unit, by_formula,
+};
 
 /// The rule.
 pub(in crate::tuning) static ENTRY: Entry = Entry {
@@ -39,8 +41,23 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     structure: "PID",
     process: Applies::Integrating,
     form: Form::IdealOutputFilter,
-    parameters: &[Parameter::new("lam", Unit::Second, Default::Formula("1.5*d"), "time constant of the triple closed-loop pole of the design model").advised(">= d").asks(Property::ClosedLoopTimeConstant)],
-    formula: &[("eta", "3*lam + d"), ("D", "3*lam^2 + 3*lam*d + 0.5*d^2"), ("Kc", "(eta + 0.5*d)/(K*D)"), ("Ti", "eta + 0.5*d"), ("Td", "0.5*d*eta/(eta + 0.5*d)"), ("a1", "(lam^3 + 1.5*lam^2*d)/D"), ("a2", "0.5*lam^3*d/D")],
+    parameters: &[Parameter::new(
+        "lam",
+        Unit::Second,
+        Default::Formula("1.5*d"),
+        "time constant of the triple closed-loop pole of the design model",
+    )
+    .advised(">= d")
+    .asks(Property::ClosedLoopTimeConstant)],
+    formula: &[
+        ("eta", "3*lam + d"),
+        ("D", "3*lam^2 + 3*lam*d + 0.5*d^2"),
+        ("Kc", "(eta + 0.5*d)/(K*D)"),
+        ("Ti", "eta + 0.5*d"),
+        ("Td", "0.5*d*eta/(eta + 0.5*d)"),
+        ("a1", "(lam^3 + 1.5*lam^2*d)/D"),
+        ("a2", "0.5*lam^3*d/D"),
+    ],
     when: "Load rejection with a controller that rolls off: noise reaches the actuator twice filtered.",
     limits: "The formula is derived here, in the structure of the source: not its printed one. Sensitivity \
              peak 1.96 at the default, 2.34 at lam = d. A setpoint step at weight 1 overshoots.",

@@ -25,7 +25,9 @@
 //! Chien, Fruehauf; Rice, Cooper (1990), Consider IMC tuning to improve controller performance, Chem. Eng. Prog.
 //! 86(10), 33-41; Rice, Cooper, Design and tuning of PID controllers for integrating processes, 2002.
 
-use crate::tuning::{Applies, Default, Entry, Form, Parameter, Property, Provenance, Status, Unit, by_formula};
+use crate::tuning::{
+    Applies, Default, Entry, Form, Parameter, Property, Provenance, Status, Unit, by_formula,
+};
 
 /// The rule.
 pub(in crate::tuning) static ENTRY: Entry = Entry {
@@ -38,8 +40,19 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     structure: "PID",
     process: Applies::Integrating,
     form: Form::Ideal,
-    parameters: &[Parameter::new("tau_c", Unit::Second, Default::Formula("sqrt(10)*d"), "closed-loop time constant").advised(">= 2*d").asks(Property::ClosedLoopTimeConstant)],
-    formula: &[("Kc", "(2*tau_c + d)/(K*(tau_c + d/2)^2)"), ("Ti", "2*tau_c + d"), ("Td", "(tau_c*d + d^2/4)/(2*tau_c + d)")],
+    parameters: &[Parameter::new(
+        "tau_c",
+        Unit::Second,
+        Default::Formula("sqrt(10)*d"),
+        "closed-loop time constant",
+    )
+    .advised(">= 2*d")
+    .asks(Property::ClosedLoopTimeConstant)],
+    formula: &[
+        ("Kc", "(2*tau_c + d)/(K*(tau_c + d/2)^2)"),
+        ("Ti", "2*tau_c + d"),
+        ("Td", "(tau_c*d + d^2/4)/(2*tau_c + d)"),
+    ],
     when: "A smooth PID whose speed is one time constant, with well damped load response.",
     limits: "tau_c below 2 d is not robust: the sensitivity peak is 1.55 at 3 d, 1.94 at 2 d and 4.29 at d. \
              The derivative is unfiltered in the source.",

@@ -23,7 +23,9 @@
 //! Grimholt, Skogestad (2018), Optimal PI and PID control of first-order plus delay processes and evaluation of the
 //! original and improved SIMC rules, J. Process Control 70, 36-46.
 
-use crate::tuning::{Applies, Default, Entry, Form, Parameter, Property, Provenance, Status, Unit, by_formula};
+use crate::tuning::{
+    Applies, Default, Entry, Form, Parameter, Property, Provenance, Status, Unit, by_formula,
+};
 
 /// The rule.
 pub(in crate::tuning) static ENTRY: Entry = Entry {
@@ -36,7 +38,14 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     structure: "PID",
     process: Applies::Integrating,
     form: Form::Series,
-    parameters: &[Parameter::new("tau_c", Unit::Second, Default::Formula("d/2"), "closed-loop time constant").advised(">= d/2").asks(Property::ClosedLoopTimeConstant)],
+    parameters: &[Parameter::new(
+        "tau_c",
+        Unit::Second,
+        Default::Formula("d/2"),
+        "closed-loop time constant",
+    )
+    .advised(">= d/2")
+    .asks(Property::ClosedLoopTimeConstant)],
     formula: &[("Kc", "1/(K*(tau_c + d))"), ("Ti", "4*(tau_c + d)"), ("Td", "d/3")],
     when: "SIMC with derivative action: the speed of a PI tuned a third slower at the same robustness; the \
            everyday PID.",

@@ -37,7 +37,12 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     process: Applies::Integrating,
     form: Form::Ideal,
     parameters: &[],
-    formula: &[("tau", "1"), ("Kc", "5.6*exp(-8.8*tau + 6.8*tau^2)/(K*d)"), ("Ti", "1.1*d*exp(6.7*tau - 4.4*tau^2)"), ("Td", "1.7*d*exp(-6.4*tau + 2*tau^2)")],
+    formula: &[
+        ("tau", "1"),
+        ("Kc", "5.6*exp(-8.8*tau + 6.8*tau^2)/(K*d)"),
+        ("Ti", "1.1*d*exp(6.7*tau - 4.4*tau^2)"),
+        ("Td", "1.7*d*exp(-6.4*tau + 2*tau^2)"),
+    ],
     when: "Not to be used: kept to show what is wrong with it. pid-amigo by the same authors really has \
            sensitivity peak 1.4.",
     limits: "The sensitivity peak is 2.24, not 1.4: the remembered coefficients do not belong to this rule, or \
@@ -45,8 +50,10 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     validity: &[],
     provenance: Provenance::Memory,
     source: "memory: no source was read",
-    status: Status::Wrong("asked for a sensitivity peak of 1.4 it gives 2.24: the coefficients, which are from memory, cannot be \
-        right"),
+    status: Status::Wrong(
+        "asked for a sensitivity peak of 1.4 it gives 2.24: the coefficients, which are from memory, cannot be \
+        right",
+    ),
     values: include_str!("../../../tests/rules/pid-kappatau-14.toml"),
     law: by_formula,
 };

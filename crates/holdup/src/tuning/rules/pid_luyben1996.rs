@@ -40,7 +40,14 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     process: Applies::Integrating,
     form: Form::SeriesFilteredLead,
     parameters: &[],
-    formula: &[("Ku", "pi/(2*K*d)"), ("Pu", "4*d"), ("Kc", "0.46*Ku"), ("Ti", "2.2*Pu"), ("Td", "0.16*Pu"), ("Tf", "0.1*Td")],
+    formula: &[
+        ("Ku", "pi/(2*K*d)"),
+        ("Pu", "4*d"),
+        ("Kc", "0.46*Ku"),
+        ("Ti", "2.2*Pu"),
+        ("Td", "0.16*Pu"),
+        ("Tf", "0.1*Td"),
+    ],
     when: "Smooth control from an ultimate-cycle test with a real series controller whose lead is filtered at \
            a tenth of Td.",
     limits: "From memory: no source was read, but its stated closed-loop log modulus of 2 dB is reproduced. \

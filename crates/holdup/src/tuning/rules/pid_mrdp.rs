@@ -39,7 +39,11 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     process: Applies::Integrating,
     form: Form::Ideal,
     parameters: &[],
-    formula: &[("Kc", "(12*sqrt(3) - 18)*exp(sqrt(3) - 3)/(K*d)"), ("Ti", "(2 + sqrt(3))*d"), ("Td", "(sqrt(3) - 1)/(12*sqrt(3) - 18)*d")],
+    formula: &[
+        ("Kc", "(12*sqrt(3) - 18)*exp(sqrt(3) - 3)/(K*d)"),
+        ("Ti", "(2 + sqrt(3))*d"),
+        ("Td", "(sqrt(3) - 1)/(12*sqrt(3) - 18)*d"),
+    ],
     when: "Fast load rejection without oscillation: all dominant poles at -1.268/d. With a setpoint filter it \
            steps without overshoot.",
     limits: "Sensitivity peak 1.99, gain margin 2.30, phase margin 37°; a setpoint step at weight 1 \

@@ -42,7 +42,9 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     validity: &[],
     provenance: Provenance::Retrieved,
     source: "github gmxavier/turu, turu.py, commit 14911e3c (a transcription of O'Dwyer's handbook of 2009)",
-    status: Status::History("sensitivity peak 3.5 buys nothing that other rules do not give with more robustness"),
+    status: Status::History(
+        "sensitivity peak 3.5 buys nothing that other rules do not give with more robustness",
+    ),
     values: include_str!("../../../tests/rules/pid-parr.toml"),
     law: by_formula,
 };

@@ -42,8 +42,10 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     validity: &[],
     provenance: Provenance::Memory,
     source: "memory: no source was read",
-    status: Status::Wrong("the coefficients are from memory and were never confirmed; as remembered they give a phase margin of \
-        24° and a sensitivity peak of 3.3"),
+    status: Status::Wrong(
+        "the coefficients are from memory and were never confirmed; as remembered they give a phase margin of \
+        24° and a sensitivity peak of 3.3",
+    ),
     values: include_str!("../../../tests/rules/pid-rotach.toml"),
     law: by_formula,
 };

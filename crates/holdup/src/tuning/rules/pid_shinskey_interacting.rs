@@ -14,8 +14,9 @@
 //! The least IAE after a load step that an interacting (series) controller gives; the reference for load rejection.
 //!
 //! # Limits
-//! Sensitivity peak 3.6, gain margin 1.41, phase margin 27°: for a well known dead time. The derivative is
-//! unfiltered in the source.
+//! Sensitivity peak 3.6, gain margin 1.41, phase margin 27°: for a well known dead time. The printed IAE is that of
+//! the unfiltered loop, the printed peak that of one with its lead filtered at Td/10: the two cannot both be right.
+//! The derivative is unfiltered in the source.
 //!
 //! # Published values
 //! `100/(Kc*K*d)` = 108; `load_iae/(K*d^2)` = 1.99; `load_peak/(K*d)` = 1.13 — DIFFERENCE, see the values file.
@@ -39,8 +40,9 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     formula: &[("Kc", "1/(1.08*K*d)"), ("Ti", "1.57*d"), ("Td", "0.58*d")],
     when: "The least IAE after a load step that an interacting (series) controller gives; the reference for \
            load rejection.",
-    limits: "Sensitivity peak 3.6, gain margin 1.41, phase margin 27°: for a well known dead time. The \
-             derivative is unfiltered in the source.",
+    limits: "Sensitivity peak 3.6, gain margin 1.41, phase margin 27°: for a well known dead time. The printed \
+             IAE is that of the unfiltered loop, the printed peak that of one with its lead filtered at Td/10: \
+             the two cannot both be right. The derivative is unfiltered in the source.",
     validity: &[],
     provenance: Provenance::Retrieved,
     source: "public notes on GitHub on Shinskey, Process Control Systems, 4th edition (Table 4.4 and the \

@@ -25,7 +25,9 @@
 //! Zhang, Xu, Sun (1999), Quantitative performance design for integrating processes with time delay, Automatica 35,
 //! 719-723.
 
-use crate::tuning::{Applies, Default, Entry, Form, Parameter, Property, Provenance, Status, Unit, by_formula};
+use crate::tuning::{
+    Applies, Default, Entry, Form, Parameter, Property, Provenance, Status, Unit, by_formula,
+};
 
 /// The rule.
 pub(in crate::tuning) static ENTRY: Entry = Entry {
@@ -38,8 +40,21 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     structure: "PID",
     process: Applies::Integrating,
     form: Form::IdealOutputFilter,
-    parameters: &[Parameter::new("lam", Unit::Second, Default::Formula("2*d"), "time constant of the triple closed-loop pole of the design model").advised(">= d").asks(Property::ClosedLoopTimeConstant)],
-    formula: &[("D", "3*lam^2 + 1.5*lam*d + 0.25*d^2"), ("Kc", "(3*lam + d)/(K*D)"), ("Ti", "3*lam + d"), ("Td", "d/2*(3*lam + d/2)/(3*lam + d)"), ("Tf", "lam^3/D")],
+    parameters: &[Parameter::new(
+        "lam",
+        Unit::Second,
+        Default::Formula("2*d"),
+        "time constant of the triple closed-loop pole of the design model",
+    )
+    .advised(">= d")
+    .asks(Property::ClosedLoopTimeConstant)],
+    formula: &[
+        ("D", "3*lam^2 + 1.5*lam*d + 0.25*d^2"),
+        ("Kc", "(3*lam + d)/(K*D)"),
+        ("Ti", "3*lam + d"),
+        ("Td", "d/2*(3*lam + d/2)/(3*lam + d)"),
+        ("Tf", "lam^3/D"),
+    ],
     when: "A PID whose speed is one number and which brings its own noise filter on the whole output.",
     limits: "The formula is from memory, derived again here. Sensitivity peak 2.29 at lam = d, 1.80 at 1.5 d, \
              1.62 at 2 d; below lam = d not robust.",

@@ -15,10 +15,10 @@
 //!
 //! # Limits
 //! Made for self-regulating processes: on an integrator every PID with Ti = 2 d at setpoint weight 1 overshoots,
-//! this one by OVERPC %; dominant damping 0.23. From memory: no source was read.
+//! this one by 45 %; dominant damping 0.23. From memory: no source was read.
 //!
 //! # Published values
-//! `overshoot` = 0 — DIFFERENCE, see the values file.
+//! `100*overshoot` = 0 — DIFFERENCE, see the values file.
 //!
 //! # Reference
 //! Seborg, Edgar, Mellichamp (table) (1989), Process Dynamics and Control; a general rule from the ultimate cycle.
@@ -40,12 +40,13 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     when: "Not to be used on an integrator: kept to show what is wrong with it. pid-isimc is the robust \
            everyday PID.",
     limits: "Made for self-regulating processes: on an integrator every PID with Ti = 2 d at setpoint weight 1 \
-             overshoots, this one by OVERPC %; dominant damping 0.23. From memory: no source was read.",
+             overshoots, this one by 45 %; dominant damping 0.23. From memory: no source was read.",
     validity: &[],
     provenance: Provenance::Memory,
     source: "memory: no source was read",
-    status: Status::Wrong("on an integrator it overshoots by OVERPC % and has a dominant damping of 0.23, which contradicts its \
-        name"),
+    status: Status::Wrong(
+        "on an integrator it overshoots by 45 % and has a dominant damping of 0.23, which contradicts its name",
+    ),
     values: include_str!("../../../tests/rules/pid-zn-no-overshoot.toml"),
     law: by_formula,
 };
