@@ -54,7 +54,7 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     source: "MathWorks utTuningStepResponse.m (public code on GitHub, id 1553951816)",
     status: Status::Wrong(
         "extrapolated to kappa = 0 its integral time is 2.4 d, which misses the design constraint: sensitivity \
-        peak 1.70 and complementary peak 1.95 instead of 1.4",
+         peak 1.70 and complementary peak 1.95 instead of 1.4",
     ),
     values: include_str!("../../../tests/rules/pid-amigo-freq.toml"),
     law: by_formula,

@@ -46,7 +46,7 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     source: "github gmxavier/turu, turu.py, commit 14911e3c (a transcription of O'Dwyer's handbook of 2009)",
     status: Status::Wrong(
         "its integral time of 1.418 d leaves a phase margin of 20° and a dominant damping of 0.28, which \
-        contradicts the behaviour its source states",
+         contradicts the behaviour its source states",
     ),
     values: include_str!("../../../tests/rules/pid-callender-2.toml"),
     law: by_formula,

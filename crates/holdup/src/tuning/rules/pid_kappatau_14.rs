@@ -52,7 +52,7 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     source: "memory: no source was read",
     status: Status::Wrong(
         "asked for a sensitivity peak of 1.4 it gives 2.24: the coefficients, which are from memory, cannot be \
-        right",
+         right",
     ),
     values: include_str!("../../../tests/rules/pid-kappatau-14.toml"),
     law: by_formula,

@@ -52,7 +52,7 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     source: "memory: no source was read",
     status: Status::Wrong(
         "asked for a sensitivity peak of 2.0 it gives 15.6: the coefficients, which are from memory, cannot be \
-        right",
+         right",
     ),
     values: include_str!("../../../tests/rules/pid-kappatau-20.toml"),
     law: by_formula,

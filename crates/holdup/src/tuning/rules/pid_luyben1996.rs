@@ -59,3 +59,30 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     values: include_str!("../../../tests/rules/pid-luyben1996.toml"),
     law: by_formula,
 };
+
+#[cfg(test)]
+mod tests {
+    use num_complex::Complex64;
+
+    use crate::model::{Process, Seconds};
+    use crate::tuning::{Parameters, rule};
+
+    #[test]
+    fn the_ideal_form_is_the_series_form_with_its_filtered_lead() {
+        let process = Process::integrating(0.5, Seconds(2.0)).unwrap();
+        let tuning = rule("pid-luyben1996").unwrap().tune(&process, &Parameters::new()).unwrap();
+        let of = |name| tuning.published.settings.iter().find(|setting| setting.name == name).unwrap().value;
+        let (kc, ti, td, tf) = (of("Kc"), of("Ti"), of("Td"), of("Tf"));
+        let ideal = tuning.controller;
+        let filter = ideal.derivative_filter().unwrap().time();
+        for omega in [0.01, 0.3, 1.0, 7.0, 100.0] {
+            let s = Complex64::new(0.2, omega);
+            let series = kc * (1.0 + 1.0 / (ti * s)) * (1.0 + td * s) / (1.0 + tf * s);
+            let derivative = ideal.derivative_time().unwrap() * s / (1.0 + filter * s);
+            let converted =
+                ideal.proportional_gain() * (1.0 + 1.0 / (ideal.integral_time().unwrap() * s) + derivative);
+            // A dozen roundings.
+            assert!((series - converted).norm() < 1e-13 * series.norm(), "{series} is not {converted}");
+        }
+    }
+}

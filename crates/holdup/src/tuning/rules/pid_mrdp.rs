@@ -12,8 +12,7 @@
 //! None.
 //!
 //! # When
-//! Fast load rejection without oscillation: all dominant poles at -1.268/d. With a setpoint filter it steps without
-//! overshoot.
+//! Fast load rejection without oscillation: all dominant poles at -1.268/d.
 //!
 //! # Limits
 //! Sensitivity peak 1.99, gain margin 2.30, phase margin 37°; a setpoint step at weight 1 overshoots. The source
@@ -44,8 +43,7 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
         ("Ti", "(2 + sqrt(3))*d"),
         ("Td", "(sqrt(3) - 1)/(12*sqrt(3) - 18)*d"),
     ],
-    when: "Fast load rejection without oscillation: all dominant poles at -1.268/d. With a setpoint filter it \
-           steps without overshoot.",
+    when: "Fast load rejection without oscillation: all dominant poles at -1.268/d.",
     limits: "Sensitivity peak 1.99, gain margin 2.30, phase margin 37°; a setpoint step at weight 1 \
              overshoots. The source has it with two degrees of freedom, whose weights did not come here. The \
              derivative is unfiltered.",

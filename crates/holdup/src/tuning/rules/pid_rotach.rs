@@ -10,7 +10,8 @@
 //! None.
 //!
 //! # When
-//! Not to be used: its numbers could not be confirmed. pid-chr-reg0 is as fast and more robust.
+//! Not to be used: its numbers could not be confirmed. pid-shinskey-noninteracting is a confirmed rule for the same
+//! purpose.
 //!
 //! # Limits
 //! From memory: no source was read, and nothing it states came with it that recomputing could confirm. Sensitivity
@@ -36,7 +37,8 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     form: Form::Ideal,
     parameters: &[],
     formula: &[("Kc", "1.21/(K*d)"), ("Ti", "1.60*d"), ("Td", "0.48*d")],
-    when: "Not to be used: its numbers could not be confirmed. pid-chr-reg0 is as fast and more robust.",
+    when: "Not to be used: its numbers could not be confirmed. pid-shinskey-noninteracting is a confirmed rule \
+           for the same purpose.",
     limits: "From memory: no source was read, and nothing it states came with it that recomputing could \
              confirm. Sensitivity peak 3.3, gain margin 1.45, phase margin 24°.",
     validity: &[],
@@ -44,7 +46,7 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     source: "memory: no source was read",
     status: Status::Wrong(
         "the coefficients are from memory and were never confirmed; as remembered they give a phase margin of \
-        24° and a sensitivity peak of 3.3",
+         24° and a sensitivity peak of 3.3",
     ),
     values: include_str!("../../../tests/rules/pid-rotach.toml"),
     law: by_formula,

@@ -65,3 +65,35 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     values: include_str!("../../../tests/rules/pid-zhang-hinf.toml"),
     law: by_formula,
 };
+
+#[cfg(test)]
+mod tests {
+    use num_complex::Complex64;
+
+    use crate::model::{Process, Seconds};
+    use crate::tuning::{Parameters, rule};
+
+    #[test]
+    fn with_the_first_order_approximation_of_the_dead_time_the_loop_has_its_triple_pole() {
+        let (k, d, lam) = (0.5, 2.0, 3.0);
+        let process = Process::integrating(k, Seconds(d)).unwrap();
+        let pid = rule("pid-zhang-hinf")
+            .unwrap()
+            .tune(&process, &Parameters::new().set("lam", lam))
+            .unwrap()
+            .controller;
+        let (filter, ti) = (pid.output_filter().unwrap(), pid.integral_time().unwrap());
+        for omega in [0.01, 0.3, 1.0, 7.0] {
+            let s = Complex64::new(0.2, omega);
+            let law = pid.proportional_gain() * (1.0 + 1.0 / (ti * s) + pid.derivative_time().unwrap() * s)
+                / (filter.a2 * s * s + filter.a1 * s + 1.0);
+            let dead_time = (1.0 - 0.5 * d * s) / (1.0 + 0.5 * d * s);
+            let left = 1.0 + law * k / s * dead_time;
+            let design = 3.0 * lam * lam + 1.5 * lam * d + 0.25 * d * d;
+            let right =
+                (lam * s + 1.0).powu(3) / (design * s * s * (filter.a2 * s * s + filter.a1 * s + 1.0));
+            // Some thirty roundings.
+            assert!((left - right).norm() < 1e-12 * right.norm(), "{left} is not {right}");
+        }
+    }
+}

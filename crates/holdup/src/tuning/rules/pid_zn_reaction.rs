@@ -10,8 +10,7 @@
 //! None.
 //!
 //! # When
-//! As the reference that everybody knows; for load rejection only, where a quarter of the robustness of later rules
-//! is enough.
+//! As the reference that everybody knows; for load rejection where little robustness is accepted.
 //!
 //! # Limits
 //! Sensitivity peak 3.5, gain margin 1.41, phase margin 31°: a dead time 45 % longer makes the loop unstable. The
@@ -37,8 +36,7 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     form: Form::Ideal,
     parameters: &[],
     formula: &[("Kc", "1.2/(K*d)"), ("Ti", "2*d"), ("Td", "0.5*d")],
-    when: "As the reference that everybody knows; for load rejection only, where a quarter of the robustness \
-           of later rules is enough.",
+    when: "As the reference that everybody knows; for load rejection where little robustness is accepted.",
     limits: "Sensitivity peak 3.5, gain margin 1.41, phase margin 31°: a dead time 45 % longer makes the loop \
              unstable. The derivative is unfiltered in the source.",
     validity: &[],

@@ -48,7 +48,7 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     source: "memory: no source was read",
     status: Status::Wrong(
         "it is made for self-regulating processes: on an integrator its dominant damping is 0.30 and its \
-        sensitivity peak 3.2, and nothing published confirms it",
+         sensitivity peak 3.2, and nothing published confirms it",
     ),
     values: include_str!("../../../tests/rules/pid-zn-some-overshoot.toml"),
     law: by_formula,
