@@ -1,5 +1,6 @@
-//! Control laws that run in the plant.
+#![doc = include_str!("../README.md")]
 #![no_std]
+#![expect(rustdoc::broken_intra_doc_links, reason = "a unit in brackets, [s], is no link")]
 
 mod delay_line;
 mod limits;
@@ -17,10 +18,10 @@ mod watch;
 pub use delay_line::{DelayLine, Segment, segments_needed};
 pub use limits::{Limited, Limits};
 pub use observer::{Observer, ObserverState};
-pub use pid::{Pid, PidState, Sample};
+pub use pid::{Action, Pid, PidState, Sample};
 pub use scalar::Scalar;
 pub use setting_error::SettingError;
-pub use settings::{Action, Law, Settings};
+pub use settings::{Law, Settings};
 pub use signals::{Input, Mode, Output, Status};
 pub use state::State;
 pub use sum::Sum;

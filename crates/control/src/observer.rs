@@ -155,11 +155,21 @@ impl<T: Scalar> ObserverState<T> {
         self.load_estimate = observer.gain * leading;
     }
 
-    /// Seats the model so that the load estimate is `load_estimate` [output unit] at this controlled variable.
-    pub(crate) fn seat(&mut self, observer: &Observer<T>, controlled_variable: T, load_estimate: T) {
-        self.load_estimate = load_estimate;
+    /// Puts the model where the load estimate is `load_estimate` [output unit] at this controlled variable.
+    pub(crate) fn start(&mut self, observer: &Observer<T>, controlled_variable: T, load_estimate: T) {
         self.innovation = load_estimate / observer.gain;
         self.slope = T::ZERO;
+        self.load_estimate = load_estimate;
         self.model = Sum::new(controlled_variable - self.innovation);
+    }
+
+    /// Shifts the model so that the load estimate would have been `load_estimate` [output unit] at the newest sample;
+    /// what the model has moved since then stays.
+    pub(crate) fn seat(&mut self, observer: &Observer<T>, load_estimate: T) {
+        let innovation = load_estimate / observer.gain;
+        self.model.add(self.innovation - innovation);
+        self.innovation = innovation;
+        self.slope = T::ZERO;
+        self.load_estimate = load_estimate;
     }
 }

@@ -3,20 +3,10 @@
 use crate::setting_error::require;
 use crate::{Limits, Observer, Pid, Scalar, SettingError, Watch};
 
-/// Which way the output goes when the controlled variable rises.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Action {
-    /// Down, with a positive proportional gain: for a process of positive gain (a level and its inlet valve).
-    #[default]
-    Reverse,
-    /// Up, with a positive proportional gain: for a process of negative gain (a level and its outlet valve).
-    Direct,
-}
-
 /// The terms of a law: what computes the wanted output.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Law<T> {
-    /// The PID terms, their gain with the sign of the action.
+    /// The PID terms.
     pub pid: Pid<T>,
     /// The disturbance observer, where there is one.
     pub observer: Option<Observer<T>>,
@@ -45,21 +35,10 @@ pub struct Settings<T> {
 }
 
 impl<T: Scalar> Settings<T> {
-    /// A controller of these PID terms with reverse action, no observer, no limits, no watch.
+    /// A controller of these PID terms with no observer, no limits, no watch.
     #[must_use]
     pub fn new(pid: Pid<T>) -> Self {
         Self { law: Law { pid, observer: None }, limits: Limits::none(), watch: Watch::none() }
-    }
-
-    /// The same with this action: direct action turns the sign of the proportional gain.
-    ///
-    /// # Errors
-    /// With an observer: an action that makes the proportional gain differ in sign from the model.
-    pub fn with_action(mut self, action: Action) -> Result<Self, SettingError> {
-        if action == Action::Direct {
-            self.law.pid = self.law.pid.reversed();
-        }
-        self.checked()
     }
 
     /// The same with this disturbance observer.
@@ -91,7 +70,7 @@ impl<T: Scalar> Settings<T> {
 
     fn checked(self) -> Result<Self, SettingError> {
         if let Some(observer) = self.law.observer {
-            let gain = self.law.pid.proportional_gain();
+            let gain = self.law.pid.signed_gain();
             let same_sign = (gain > T::ZERO) == (observer.model_gain() > T::ZERO);
             let requirement = "must, with its action, have the sign of model_gain";
             require::that(same_sign, "proportional_gain", gain, requirement)?;
@@ -106,7 +85,7 @@ impl<T: Scalar> Settings<T> {
         Ok(self)
     }
 
-    /// The law: its terms with the sign of the action.
+    /// The law.
     #[must_use]
     pub fn law(&self) -> &Law<T> {
         &self.law

@@ -106,7 +106,7 @@ impl<T: Scalar, S: AsRef<[Segment<T>]> + AsMut<[Segment<T>]>> State<T, S> {
         if let Some(observer) = settings.law().observer {
             // At rest it is the load estimate that holds the output, not the integral.
             let load_estimate = state.assistance() - state.manipulated_variable;
-            state.observer.seat(&observer, controlled_variable, load_estimate);
+            state.observer.start(&observer, controlled_variable, load_estimate);
         }
         state.seat(state.manipulated_variable);
         // A prediction at rest has nothing under way.
@@ -156,7 +156,7 @@ impl<T: Scalar, S: AsRef<[Segment<T>]> + AsMut<[Segment<T>]>> State<T, S> {
             self.unassisted = terms + integral;
         } else if let Some(observer) = self.law.observer {
             let load_estimate = terms + self.assistance() - target;
-            self.observer.seat(&observer, self.controlled_variable, load_estimate);
+            self.observer.seat(&observer, load_estimate);
         } else {
             let offset = target - (terms + self.assistance());
             self.pid.set_bias_offset(&self.law.pid, offset);
@@ -172,10 +172,10 @@ impl<T: Scalar, S: AsRef<[Segment<T>]> + AsMut<[Segment<T>]>> State<T, S> {
             if old.is_none() {
                 self.line.dead_time = observer.dead_time();
                 self.line.fill(self.unassisted);
-            }
-            if old != law.observer {
+                self.observer.start(&observer, self.controlled_variable, T::ZERO);
+            } else if old != law.observer {
                 self.line.set_dead_time(observer.dead_time());
-                self.observer.seat(&observer, self.controlled_variable, self.observer.load_estimate);
+                self.observer.seat(&observer, self.observer.load_estimate);
             }
         } else {
             self.observer = ObserverState::default();

@@ -2,10 +2,11 @@
 
 use crate::Scalar;
 
-/// A compensated sum: what rounding drops from the value is kept and added to the next term.
+/// A compensated sum: what rounding drops from the value is kept beside it.
 ///
-/// A plain `f32` sum of 1000.0 stops growing when terms fall below 0.00003; this one does not. (Kahan's
-/// compensation with Knuth's two-sum, which needs no comparison of magnitudes.)
+/// A plain `f32` sum of 1000.0 stops growing when terms fall below 0.00003; this one does not. (Knuth's two-sum, which
+/// needs no comparison of magnitudes, with the rest renormalised: as Kahan's and Neumaier's sums, but the rest
+/// itself is not rounded to the size of a term, so a million terms put in and taken out again leave nothing.)
 ///
 /// ```
 /// use holdup_control::Sum;
@@ -32,11 +33,12 @@ impl<T: Scalar> Sum<T> {
 
     /// Adds one term.
     pub fn add(&mut self, term: T) {
-        let term = term + self.correction;
         let sum = self.value + term;
         let added = sum - self.value;
-        self.correction = (self.value - (sum - added)) + (term - added);
-        self.value = sum;
+        let lost = (self.value - (sum - added)) + (term - added);
+        let correction = self.correction + lost;
+        self.value = sum + correction;
+        self.correction = correction - (self.value - sum);
     }
 
     /// The sum so far, rounded.

@@ -58,7 +58,7 @@ impl<T: Scalar, S: AsRef<[Segment<T>]> + AsMut<[Segment<T>]>> State<T, S> {
             self.controlled_variable = controlled_variable;
             if let Some(observer) = self.law.observer {
                 if start {
-                    self.observer.seat(&observer, controlled_variable, self.observer.load_estimate);
+                    self.observer.start(&observer, controlled_variable, self.observer.load_estimate);
                 } else {
                     self.observer.measure(&observer, controlled_variable, elapsed);
                 }

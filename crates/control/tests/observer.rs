@@ -185,3 +185,67 @@ fn after_manual_the_estimate_returns_to_the_load_at_its_own_rate() {
     }
     assert!((estimates.last().unwrap() + 0.2).abs() < 1e-6, "{:?}", estimates.last());
 }
+
+#[test]
+fn one_sample_is_the_recipe_written_out() {
+    // D̂ from y and the stored y_m; v = u_pd − D̂; u = limit(v); push u + D̂. At a constant period, dead time 7.
+    let observer = Observer::new(KO, 0.5, 7.0, 1.0).unwrap();
+    let settings = Settings::new(Pid::proportional(KC).unwrap()).with_observer(observer).unwrap();
+    let settings = settings.with_limits(Limits::new(Some(-0.2), Some(0.3)).unwrap()).unwrap();
+    let mut state = State::at_rest(&settings, [Segment::default(); 10], 0.0, 0.0, 0.0).unwrap();
+    let mut line = VecDeque::from(vec![0.0; 7]);
+    let mut model = 0.0;
+    let mut limited = 0;
+    for sample in 0..500_u32 {
+        let y = f64::from(sample * 37 % 101) * 0.02 - 1.0;
+        let estimate = KO * (y - model);
+        let wanted = KC * (0.3 - y) - estimate;
+        let u = wanted.clamp(-0.2, 0.3);
+        limited += u32::from(u != wanted);
+        line.push_back(u + estimate);
+        model += 0.5 * line.pop_front().unwrap();
+
+        let output = state.update(&settings, &Input::automatic(1.0, 0.3, y));
+        // 500 roundings of numbers near 1.
+        assert!((output.load_estimate.unwrap() - estimate).abs() < 1e-13);
+        assert!((output.manipulated_variable - u).abs() < 1e-13);
+    }
+    assert!((100..400).contains(&limited), "limited at {limited} samples: the test does not test");
+}
+
+#[test]
+fn with_a_slow_sensor_the_estimate_is_right_at_its_samples() {
+    let settings = settings(KO, 1.0, 1.0);
+    let mut state = at_rest(&settings);
+    let mut process = Process::new();
+    for sample in 0..4000 {
+        // Read at every fiftieth update, half a second; switched from manual between two readings.
+        let mode = if sample < 1020 { Mode::Manual(0.0) } else { Mode::Automatic };
+        let measured = (sample % 50 == 0).then_some(process.y);
+        let input = Input { mode, controlled_variable: measured, ..Input::automatic(H, 0.0, 0.0) };
+        let output = state.update(&settings, &input);
+        if sample == 1050 {
+            // y = 0.1 (t − 1): seated at 10 s to Kc (0 − 0.9) − 0. In half a second y rises 0.05, and the model is
+            // driven by the u_pd of one second before, Kc (0 − 0.8), so it falls 0.16.
+            let expected = -KC * 0.9 + KO * (0.05 + KC * 0.8 * 0.5);
+            assert!((output.load_estimate.unwrap() - expected).abs() < 1e-12, "{:?}", output.load_estimate);
+        }
+        process.hold(output.manipulated_variable + 0.1);
+    }
+}
+
+#[test]
+fn the_modified_smith_predictor_answers_the_setpoint_as_a_lag_after_the_dead_time() {
+    // y/r = e^(−s)/(Tr s + 1), Tr = 1 (rules.json msp_matausek_micic_1996), whatever K0.
+    let observer = Observer::new(0.5, 1.0, 1.0, H).unwrap().predicting();
+    let settings = Settings::new(Pid::proportional(1.0).unwrap()).with_observer(observer).unwrap();
+    let mut state = at_rest(&settings);
+    let mut process = Process::new();
+    for sample in 0..800_i32 {
+        let output = state.update(&settings, &Input::automatic(H, 1.0, process.y));
+        // Sampled: each sample takes H of the way that is left; exact, so only rounding remains.
+        let expected = 1.0 - (1.0 - H).powi((sample - 100).max(0));
+        assert!((process.y - expected).abs() < 1e-12, "{} not {expected} at {sample}", process.y);
+        process.hold(output.manipulated_variable);
+    }
+}

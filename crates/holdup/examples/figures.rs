@@ -19,11 +19,11 @@ const CONTROLLERS: [(&str, f64, f64); 4] = [
 
 /// A rough march in small steps: the curves only have to look like responses.
 fn response(kc: f64, td: f64, load_at: f64, horizon: f64) -> (Vec<f64>, Vec<f64>) {
-    let (h, delay) = (0.05, 120);
+    let (h, delay) = (0.05, 120_usize);
     let (mut y, mut last, mut pending) = (0.0, 0.0, vec![0.0; delay]);
     let (mut times, mut levels) = (Vec::new(), Vec::new());
-    for k in 0..=(horizon / h) as usize {
-        let t = k as f64 * h;
+    for (k, step) in (0_u32..).take_while(|k| f64::from(*k) * h <= horizon).enumerate() {
+        let t = f64::from(step) * h;
         let u = kc * (1.0 - y) - kc * td * (y - last) / h + if t >= load_at { 0.4 } else { 0.0 };
         last = y;
         y += h * GAIN * pending[k % delay];
@@ -131,12 +131,14 @@ fn main() -> Result<(), Box<dyn Error>> {
                 .with_code("holdup compare studies/kadam-2017.toml --report kadam-2017.html")
                 .with_table(table),
         );
+    let mut section = Section::new("Responses and loop gains");
     for (name, figure) in figures {
         println!("{}", terminal::chart(&figure, 80, false));
         write_atomically(&folder.join(format!("{name}.svg")), svg::document(&figure).as_bytes())?;
         write_atomically(&folder.join(format!("{name}.png")), &png::bytes(&figure, 2.0)?)?;
-        page = page.with_section(Section::new(figure.title()).with_figure(figure));
+        section = section.with_figure(figure);
     }
+    page = page.with_section(section);
     write_atomically(&folder.join("page.html"), page.html().as_bytes())?;
     Ok(())
 }

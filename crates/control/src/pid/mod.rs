@@ -3,5 +3,5 @@
 mod settings;
 mod state;
 
-pub use settings::Pid;
+pub use settings::{Action, Pid};
 pub use state::{PidState, Sample};

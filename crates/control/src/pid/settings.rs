@@ -3,11 +3,21 @@
 use crate::setting_error::require;
 use crate::{Scalar, SettingError};
 
+/// Which way the output goes when the controlled variable rises.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Action {
+    /// Down, with a positive proportional gain: for a process of positive gain (a level and its inlet valve).
+    #[default]
+    Reverse,
+    /// Up, with a positive proportional gain: for a process of negative gain (a level and its outlet valve).
+    Direct,
+}
+
 /// Settings of P, PI, PD and PID action: one law in ideal (ISA standard) form, terms absent or present.
 ///
 /// u = Kc (b r − y) + Kc/Ti ∫(r − y) + Kc Td s/(1 + Tf s) (c r − y) + bias
 ///
-/// The output rises with the setpoint when Kc is positive (and the action reverse). At a sample period h, with the
+/// The output rises with the setpoint when Kc is positive and the action reverse; direct action turns the sign of Kc. At a sample period h, with the
 /// shift z, the sampled law is
 ///
 /// - integral: Kc/Ti · h z/(z − 1), the backward difference;
@@ -27,6 +37,7 @@ use crate::{Scalar, SettingError};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pid<T> {
     proportional_gain: T,
+    action: Action,
     integral_time: Option<T>,
     derivative: Option<Derivative<T>>,
     setpoint_weight: T,
@@ -43,13 +54,14 @@ pub(crate) struct Derivative<T> {
 }
 
 impl<T: Scalar> Pid<T> {
-    /// P action of this gain [output/input unit]; both setpoint weights 1, no bias.
+    /// P action of this gain [output/input unit]; reverse action, both setpoint weights 1, no bias.
     ///
     /// # Errors
     /// A gain that is 0 or not finite.
     pub fn proportional(proportional_gain: T) -> Result<Self, SettingError> {
         Ok(Self {
             proportional_gain: require::nonzero("proportional_gain", proportional_gain)?,
+            action: Action::Reverse,
             integral_time: None,
             derivative: None,
             setpoint_weight: T::ONE,
@@ -58,6 +70,13 @@ impl<T: Scalar> Pid<T> {
             bias: T::ZERO,
             bleed_time: None,
         })
+    }
+
+    /// The same with this action: direct action turns the sign of the proportional gain.
+    #[must_use]
+    pub fn with_action(mut self, action: Action) -> Self {
+        self.action = action;
+        self
     }
 
     /// The same with integral action of this integral time [s].
@@ -128,10 +147,16 @@ impl<T: Scalar> Pid<T> {
         Ok(self)
     }
 
-    /// Proportional gain Kc [output/input unit].
+    /// Proportional gain Kc [output/input unit], as set.
     #[must_use]
     pub fn proportional_gain(&self) -> T {
         self.proportional_gain
+    }
+
+    /// Which way the output goes.
+    #[must_use]
+    pub fn action(&self) -> Action {
+        self.action
     }
 
     /// Integral time Ti [s].
@@ -182,9 +207,11 @@ impl<T: Scalar> Pid<T> {
         self.bleed_time
     }
 
-    /// The same with gain and action of the other sign.
-    pub(crate) fn reversed(mut self) -> Self {
-        self.proportional_gain = -self.proportional_gain;
-        self
+    /// Proportional gain with the sign that the action gives it.
+    pub(crate) fn signed_gain(&self) -> T {
+        match self.action {
+            Action::Reverse => self.proportional_gain,
+            Action::Direct => -self.proportional_gain,
+        }
     }
 }

@@ -50,7 +50,7 @@ impl<T: Scalar> PidState<T> {
     /// The integral moves on by `h` [s]; `shortfall` [output unit] is the output applied in that time less the
     /// one wanted.
     pub(crate) fn integrate(&mut self, pid: &Pid<T>, setpoint: T, shortfall: T, h: T) {
-        let kc = pid.proportional_gain();
+        let kc = pid.signed_gain();
         if let (Some(sample), Some(ti), Some(tt)) = (self.sample, pid.integral_time(), pid.tracking_time()) {
             let error = setpoint - sample.controlled_variable;
             self.integral.add(kc * h / ti * error + shortfall * h / (tt + h));
@@ -71,7 +71,7 @@ impl<T: Scalar> PidState<T> {
     /// Proportional and derivative term together [output unit].
     pub(crate) fn proportional_derivative(&self, pid: &Pid<T>, setpoint: T) -> T {
         let Some(sample) = self.sample else { return T::ZERO };
-        let kc = pid.proportional_gain();
+        let kc = pid.signed_gain();
         let b = pid.setpoint_weight();
         let td = pid.derivative_time().unwrap_or(T::ZERO);
         kc * (b * setpoint - sample.controlled_variable) + kc * td * self.slope

@@ -1,13 +1,12 @@
 //! The continuous loop, built apart from the crate: Euler's method on its equations with a tiny step.
 
 use crate::laws::Law;
-use crate::plant::DEAD_TIME;
 
 /// y at each whole second of a run to a setpoint of 1 at 0 and a load at 10 s.
 pub(crate) fn outputs(law: &Law, load: f64, seconds: usize) -> Vec<f64> {
     const STEPS: usize = 2000; // steps a second
     let h = 1.0 / 2000.0;
-    let delay = 2000 * DEAD_TIME as usize;
+    let delay = STEPS; // of 1 s
     let (b, c) = law.weights;
     let kc = law.proportional_gain;
     let (ko, lead) = law.observer.unwrap_or((0.0, None));

@@ -59,6 +59,10 @@ pub(crate) fn law(name: &str) -> Law {
 
 impl Law {
     pub(crate) fn settings<T: Scalar>(&self) -> Settings<T> {
+        self.settings_with_model(1.0, 1.0)
+    }
+
+    pub(crate) fn settings_with_model<T: Scalar>(&self, model_gain: f64, dead_time: f64) -> Settings<T> {
         let t = T::from_f64;
         let mut pid = Pid::proportional(t(self.proportional_gain)).unwrap();
         pid = pid.with_setpoint_weights(t(self.weights.0), t(self.weights.1)).unwrap();
@@ -70,7 +74,8 @@ impl Law {
         }
         let settings = Settings::new(pid.with_bias(t(0.0), Some(t(5.0))).unwrap());
         let Some((gain, lead)) = self.observer else { return settings };
-        let mut observer = Observer::new(t(gain), t(1.0), t(1.0), t(PERIOD)).unwrap();
+        let mut observer =
+            Observer::new(t(gain), t(model_gain), t(dead_time), t(PERIOD * dead_time)).unwrap();
         if let Some((derivative_time, filter_time)) = lead {
             observer = observer.with_lead(t(derivative_time), t(filter_time)).unwrap();
         }

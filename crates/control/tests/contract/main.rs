@@ -27,6 +27,7 @@ macro_rules! laws {
                 precision::f32_is_close_to_f64
                 precision::a_constant_measurement_at_the_setpoint_moves_nothing
                 precision::a_restored_state_continues_bit_for_bit
+                precision::other_units_give_the_same_answer
                 arbitrary::any_input_gives_a_finite_output_within_the_limits
                 arbitrary::the_loop_returns_to_the_setpoint_after_any_input
                 convergence::the_sampled_loop_tends_to_the_continuous_one_in_first_order

@@ -12,7 +12,7 @@ pub(crate) struct Plant {
     cursor: usize,
 }
 
-pub(crate) const DEAD_TIME: f64 = 1.0;
+const DEAD_TIME: f64 = 1.0;
 
 impl Plant {
     pub(crate) fn new() -> Self {

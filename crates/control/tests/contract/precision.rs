@@ -1,8 +1,8 @@
 //! Rounding: f32, long runs, restarts.
 
-use holdup_control::{Input, Segment, State};
+use holdup_control::{Input, Limits, Segment, State};
 
-use crate::laws::{Law, PERIOD, SEGMENTS};
+use crate::laws::{Law, PERIOD, SEGMENTS, at_rest};
 use crate::plant::Loop;
 
 pub(crate) fn f32_is_close_to_f64(law: &Law) {
@@ -50,5 +50,26 @@ pub(crate) fn a_restored_state_continues_bit_for_bit(law: &Law) {
         restored.automatic(PERIOD, 2.0);
         assert_eq!(run.output.to_bits(), restored.output.to_bits());
         assert_eq!(run.state, restored.state);
+    }
+}
+
+pub(crate) fn other_units_give_the_same_answer(law: &Law) {
+    // Time in units four times as small, output in units half as large: powers of 2, so bit for bit.
+    let scaled = Law {
+        proportional_gain: 2.0 * law.proportional_gain,
+        integral_time: law.integral_time.map(|time| 4.0 * time),
+        derivative: law.derivative.map(|(time, filter)| (4.0 * time, filter.map(|filter| 4.0 * filter))),
+        observer: law.observer.map(|(gain, lead)| (2.0 * gain, lead.map(|(td, tf)| (4.0 * td, 4.0 * tf)))),
+        ..*law
+    };
+    let limits = |size: f64| Limits::new(Some(-size), Some(size)).unwrap();
+    let settings = law.settings::<f64>().with_limits(limits(0.6)).unwrap();
+    let scaled = scaled.settings_with_model(0.125, 4.0).with_limits(limits(1.2)).unwrap();
+    let (mut state, mut twin) = (at_rest(&settings), at_rest(&scaled));
+    for sample in 0..300_u32 {
+        let y = f64::from(sample * 37 % 101) * 0.01;
+        let u = state.update(&settings, &Input::automatic(PERIOD, 0.7, y)).manipulated_variable;
+        let v = twin.update(&scaled, &Input::automatic(4.0 * PERIOD, 0.7, y)).manipulated_variable;
+        assert_eq!(2.0 * u, v, "at sample {sample}");
     }
 }

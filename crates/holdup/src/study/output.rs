@@ -19,7 +19,8 @@ use std::process;
 /// let path = std::env::temp_dir().join(format!("holdup-{}.txt", std::process::id()));
 /// holdup::study::output::write_atomically(&path, b"whole")?;
 /// assert_eq!(std::fs::read(&path)?, b"whole");
-/// # std::fs::remove_file(&path)
+/// std::fs::remove_file(&path)?;
+/// # Ok::<(), std::io::Error>(())
 /// ```
 pub fn write_atomically(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());

@@ -173,6 +173,8 @@ pub enum Form {
     Series,
     /// As series, the whole output filtered by `1/(Tf·s + 1)`.
     SeriesOutputFilter,
+    /// `Kc·(1 + 1/(Ti·s))·(1 + Td·s)/(Tf·s + 1)`: the lead of the series form filtered.
+    SeriesFilteredLead,
 }
 
 impl Form {
@@ -186,6 +188,7 @@ impl Form {
             Self::SeriesOutputFilter => {
                 "series with output filter: Kc (1 + 1/(Ti s)) (1 + Td s) / (Tf s + 1)"
             }
+            Self::SeriesFilteredLead => "series with filtered lead: Kc (1 + 1/(Ti s)) (1 + Td s)/(Tf s + 1)",
         }
     }
 }
@@ -324,5 +327,17 @@ impl Parameter {
     #[must_use]
     pub const fn asks(self, property: Property) -> Self {
         Self { asks: Some(property), ..self }
+    }
+
+    /// The same under another name.
+    #[must_use]
+    pub const fn named(self, name: &'static str, description: &'static str) -> Self {
+        Self { name, description, ..self }
+    }
+
+    /// The same, asking for no property of the loop.
+    #[must_use]
+    pub const fn no_goal(self) -> Self {
+        Self { asks: None, ..self }
     }
 }

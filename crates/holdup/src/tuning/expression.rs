@@ -1,7 +1,8 @@
 //! The formulas of the rules, evaluated as they are printed: the text that is shown is the text that is computed.
 //!
 //! Numbers, names, `+ - * / ^`, parentheses, `pi`, and the functions `sqrt`, `exp`, `ln`, `atan`, `tan`, `abs`,
-//! `min(x, y)` and `row(x, x1, y1, x2, y2, …)`, which is the y of the row whose x is the given one.
+//! `min(x, y)`, `row(x, x1, y1, x2, y2, …)`, which is the y of the row whose x is the given one, and `near(x, …)`,
+//! which is that of the nearest row.
 
 use thiserror::Error;
 
@@ -191,6 +192,11 @@ fn call(name: &str, arguments: &[f64]) -> Result<f64, ExpressionError> {
         ("min", [x, y]) => Ok(x.min(*y)),
         ("row", [x, rows @ ..]) => {
             let found = rows.chunks_exact(2).find(|row| row[0] == *x);
+            found.map(|row| row[1]).ok_or(ExpressionError::NoRow { value: *x })
+        }
+        ("near", [x, rows @ ..]) => {
+            let distance = |row: &&[f64]| (row[0] - x).abs();
+            let found = rows.chunks_exact(2).min_by(|a, b| distance(a).total_cmp(&distance(b)));
             found.map(|row| row[1]).ok_or(ExpressionError::NoRow { value: *x })
         }
         _ => Err(ExpressionError::UnknownName { name: format!("{name}(…)") }),

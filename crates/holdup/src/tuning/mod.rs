@@ -19,6 +19,7 @@ use crate::model::Controller;
 mod achieved;
 mod entry;
 mod error;
+mod exact;
 mod expression;
 mod formula;
 mod nearest;

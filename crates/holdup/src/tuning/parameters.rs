@@ -174,6 +174,11 @@ impl<'a> Values<'a> {
         self.computed.push((name, value));
     }
 
+    /// Forgets the settings computed so far.
+    pub(super) fn clear(&mut self) {
+        self.computed.clear();
+    }
+
     /// The settings computed so far, in their order.
     #[must_use]
     pub fn computed(&self) -> &[(&'static str, f64)] {

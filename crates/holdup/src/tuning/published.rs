@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use super::achieved::quantity;
+use super::achieved::achieved;
 use super::entry::Entry;
 use super::expression::evaluate;
 use super::parameters::Parameters;
@@ -54,8 +54,7 @@ impl std::default::Default for Example {
 /// A published value beside the computed one.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Judgement {
-    /// What is compared: a formula in the settings, in K, d, T and in what the loop achieves (`gain_margin`,
-    /// `phase_margin_deg`, `sensitivity_peak`, `overshoot`, `load_iae`, `decay_ratio` …).
+    /// What is compared: a formula in the settings, in K, d, T, and in what the loop achieves (`sensitivity_peak` …).
     pub what: String,
     /// The value as printed.
     pub printed: String,
@@ -105,7 +104,7 @@ impl Entry {
                 "K" => Some(process.process_gain()),
                 "d" => Some(process.dead_time()),
                 "T" => process.lag(),
-                _ => value.set.get(name).copied().or_else(|| quantity(name, &process, &tuning.controller)),
+                _ => value.set.get(name).copied().or_else(|| achieved(name, &process, &tuning.controller)),
             })
         };
         let computed = evaluate(&value.what, &setting).map_err(|error| error.to_string())?;

@@ -14,7 +14,7 @@ pub enum Scale {
     Logarithmic,
 }
 
-/// An axis: what it shows with its unit in brackets, "time [s]", its scale and its range.
+/// An axis: what it shows with its unit in brackets, as in `time [s]`, its scale and its range.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
     label: String,

@@ -179,7 +179,9 @@ impl Page {
         html.push_str("</nav>\n<main>\n");
         for (number, section) in (1..).zip(&self.sections) {
             push(&mut html, &format!("<section id=\"section-{number}\">\n<h2>"), &section.heading, "</h2>\n");
-            section.blocks.iter().for_each(|block| push_block(&mut html, block));
+            for block in &section.blocks {
+                push_block(&mut html, block);
+            }
             html.push_str("</section>\n");
         }
         html.push_str("</main>\n</div>\n<footer>Computed by holdup ");
@@ -216,12 +218,16 @@ fn push_block(html: &mut String, block: &Block) {
         Block::Paragraph(text) => push(html, "<p>", text, "</p>\n"),
         Block::List(points) => {
             html.push_str("<ul>\n");
-            points.iter().for_each(|point| push(html, "<li>", point, "</li>\n"));
+            for point in points {
+                push(html, "<li>", point, "</li>\n");
+            }
             html.push_str("</ul>\n");
         }
         Block::Code(text) => {
             html.push_str("<pre>");
-            text.lines().for_each(|line| push(html, "", line, "\n"));
+            for line in text.lines() {
+                push(html, "", line, "\n");
+            }
             html.push_str("</pre>\n");
         }
         Block::Table(table) => push_table(html, table),

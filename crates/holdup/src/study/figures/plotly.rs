@@ -34,7 +34,7 @@ pub fn value(figure: &Figure) -> Value {
         for series in panel.series() {
             let first = !series.name().is_empty() && !named.contains(&series.name());
             named.push(series.name());
-            data.push(trace(figure, series, index, first));
+            data.push(trace(figure, series, index, first, &hover(panel)));
         }
     }
     json!({ "data": data, "layout": layout(figure) })
@@ -44,7 +44,17 @@ fn axis_name(letter: char, index: usize) -> String {
     if index == 0 { letter.to_string() } else { format!("{letter}{}", index + 1) }
 }
 
-fn trace(figure: &Figure, series: &Series, panel: usize, first: bool) -> Value {
+/// What is shown beside the pointer: the name and the value with its unit, of a plane both coordinates.
+fn hover(panel: &Panel) -> String {
+    let unit = panel.y().label().rsplit_once('[').and_then(|(_, unit)| unit.split_once(']'));
+    // A unit that looks like a template would be filled in.
+    let unit = unit.map_or("", |(unit, _)| unit);
+    let unit = if ["–", "-"].contains(&unit) { String::new() } else { escape(unit).replace("%{", "% {") };
+    let value = if panel.is_equal_aspect() { "(%{x:.5~g}, %{y:.5~g})" } else { "%{y:.5~g}" };
+    format!("%{{fullData.name}}: {value} {unit}<extra></extra>")
+}
+
+fn trace(figure: &Figure, series: &Series, panel: usize, first: bool, hover: &str) -> Value {
     let (x, y): (Vec<Value>, Vec<Value>) = series
         .points()
         .map(|point| point.map_or((Value::Null, Value::Null), |(x, y)| (rounded(x), rounded(y))))
@@ -64,6 +74,7 @@ fn trace(figure: &Figure, series: &Series, panel: usize, first: bool) -> Value {
     json!({
         "type": "scatter", "mode": mode, "name": escape(series.name()), "legendgroup": escape(series.name()),
         "showlegend": first, "x": x, "y": y, "xaxis": "x", "yaxis": axis_name('y', panel), "connectgaps": false,
+        "hovertemplate": hover,
         "line": { "color": colour, "width": series.width(), "dash": dash(look.line), "shape": shape },
         "marker": { "color": colour, "size": 8, "symbol": symbol, "line": { "color": colour, "width": 2 } },
     })
@@ -98,10 +109,11 @@ fn layout(figure: &Figure) -> Value {
     let count = panels.len();
     let mut layout = Map::new();
     let plane = panels.iter().any(Panel::is_equal_aspect);
-    layout.insert("height".into(), json!(height + 110.0));
-    layout.insert("margin".into(), json!({ "l": 70, "r": 16, "t": 16, "b": 50 }));
+    layout.insert("height".into(), json!(height + 120.0));
+    layout.insert("margin".into(), json!({ "l": 70, "r": 16, "t": 32, "b": 50 }));
     layout.insert("hovermode".into(), json!(if plane { "closest" } else { "x unified" }));
     layout.insert("hoversubplots".into(), json!("axis"));
+    layout.insert("hoverlabel".into(), json!({ "namelength": -1 }));
     // The legend stands below the axis label, in pixels: fractions would move with the height.
     let below = -52.0 / height;
     layout.insert(
@@ -109,12 +121,15 @@ fn layout(figure: &Figure) -> Value {
         json!({ "orientation": "h", "x": 0, "xanchor": "left", "y": below, "yanchor": "top" }),
     );
     if let (Some(lowest), Some(view)) = (panels.last(), views.last()) {
-        let mut x = axis(lowest.x(), view.x);
+        let mut x = axis(lowest.x(), view.x, 9.0);
+        if count > 1 {
+            x["mirror"] = json!("all");
+        }
         x["anchor"] = json!(axis_name('y', count - 1));
         layout.insert("xaxis".into(), x);
     }
     for (index, (panel, view)) in panels.iter().zip(&views).enumerate() {
-        let mut y = axis(panel.y(), view.y);
+        let mut y = axis(panel.y(), view.y, if count > 1 { 5.0 } else { 9.0 });
         y["anchor"] = json!("x");
         let share = |from_top: usize| 1.0 - float(from_top) / float(count);
         let gap = if index + 1 < count { 0.06 } else { 0.0 };
@@ -135,10 +150,10 @@ fn float(count: usize) -> f64 {
     f64::from(u32::try_from(count).unwrap_or(u32::MAX))
 }
 
-fn axis(axis: &Axis, span: Span) -> Value {
+fn axis(axis: &Axis, span: Span, most_ticks: f64) -> Value {
     let mut value = json!({
-        "title": { "text": escape(axis.label()) }, "range": span.ends().map(rounded), "automargin": true,
-        "zeroline": false, "showline": true, "mirror": true, "ticks": "outside",
+        "title": { "text": escape(axis.label()), "standoff": 10 }, "range": span.ends().map(rounded), "automargin": true,
+        "hoverformat": ".6~g", "zeroline": false, "showline": true, "mirror": true, "ticks": "outside",
     });
     if axis.scale() == Scale::Logarithmic {
         value["type"] = json!("log");
@@ -152,7 +167,7 @@ fn axis(axis: &Axis, span: Span) -> Value {
     } else if let Some(step) = axis.tick_step() {
         // Many turns of phase would crowd the axis.
         let span = span.ends()[1] - span.ends()[0];
-        value["dtick"] = json!(step * (span / step / 9.0).max(1.0).log2().ceil().exp2());
+        value["dtick"] = json!(step * (span / step / most_ticks).max(1.0).log2().ceil().exp2());
     }
     value
 }
@@ -165,13 +180,13 @@ fn shapes_of(panel: &Panel, view: View, index: usize) -> Vec<Value> {
     let drawn = |reference: &Reference| match reference {
         Reference::Horizontal { at, label } if inside(view.y.place(*at)) => Some(json!({
             "type": "line", "layer": "below", "line": line, "xref": "x domain", "x0": 0, "x1": 1, "yref": y,
-            "y0": at, "y1": at, "label": { "text": escape(label), "textposition": "end", "yanchor": "bottom" },
+            "y0": at, "y1": at, "label": { "text": escape(label), "textposition": "end", "xanchor": "right", "yanchor": "bottom", "padding": 5 },
         })),
         Reference::Vertical { at, label } if inside(view.x.place(*at)) => Some(json!({
             "type": "line", "layer": "below", "line": line, "xref": "x", "x0": at, "x1": at,
             "yref": format!("{y} domain"), "y0": 0, "y1": 1,
             "label": {
-                "text": escape(label), "textposition": "end", "textangle": 0, "yanchor": "top",
+                "text": escape(label), "textposition": "end", "textangle": 0, "yanchor": "top", "padding": 5,
                 "xanchor": if view.x.place(*at).is_some_and(|place| place > 0.75) { "right" } else { "left" },
             },
         })),

@@ -5,7 +5,10 @@ use super::svg::{FRAME, GRID, PAPER, TEXT};
 use tiny_skia::{Color, FillRule, LineJoin, Paint, Path, PathBuilder, Pixmap, Stroke, StrokeDash, Transform};
 use ttf_parser::{Face, GlyphId, OutlineBuilder};
 
-/// DejaVu Sans, cut down to Latin, Greek, Cyrillic and mathematical signs.
+/// `DejaVu` Sans, cut down to Latin, Greek, Cyrillic and mathematical signs by fonttools 4:
+/// `pyftsubset DejaVuSans.ttf --unicodes=U+20-7E,U+A0-17F,U+300-30C,U+370-3FF,U+400-45F,U+2010-2027,U+2030-203A,`
+/// `U+2044,U+2070-209C,U+20AC,U+2103,U+2126,U+2190-2195,U+21D2,U+2200-2265,U+25A0-25CF,U+FFFD`
+/// `--layout-features= --no-hinting --notdef-outline`. Its licence lies beside it.
 const FONT: &[u8] = include_bytes!("assets/DejaVuSans-subset.ttf");
 
 /// Why no picture came out.
@@ -32,6 +35,19 @@ pub enum PngError {
 ///
 /// # Errors
 /// [`PngError::Scale`] unless `scale` is between 0.1 and 10; [`PngError::Encoding`] when the encoder fails.
+///
+/// # Panics
+/// Never: the font that is compiled in can be read, which a test ensures.
+///
+/// # Examples
+/// ```
+/// use holdup::study::figures::{Axis, Figure, Panel, png};
+///
+/// let panel = Panel::new(Axis::linear("time [s]"), Axis::linear("level [m]"));
+/// let png = png::bytes(&Figure::new("A tank", vec![panel])?, 2.0)?;
+/// assert!(png.starts_with(b"\x89PNG"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn bytes(figure: &Figure, scale: f32) -> Result<Vec<u8>, PngError> {
     let scene = scene::lay_out(figure, true);
     if !(0.1..=10.0).contains(&scale) {
@@ -135,46 +151,66 @@ fn outline(face: &Face<'_>, text: &Text) -> Option<Path> {
     let glyph = |c: char| face.glyph_index(c).unwrap_or(GlyphId(0));
     let advance = |c: char| f32::from(face.glyph_hor_advance(glyph(c)).unwrap_or(0));
     let scale = narrow(text.size) / f32::from(face.units_per_em());
-    let width: f32 = text.text.chars().map(advance).sum();
+    let width: f32 = text.words.chars().map(advance).sum();
     let mut pen = match text.anchor {
         Anchor::Start => 0.0,
         Anchor::Middle => -0.5 * width,
         Anchor::End => -width,
     };
-    let mut outline = Outline(PathBuilder::new(), 0.0);
-    for c in text.text.chars() {
-        outline.1 = pen;
+    let mut outline = Outline { path: PathBuilder::new(), x: 0.0, y: 0.0 };
+    let mut base = None;
+    for c in text.words.chars() {
+        (outline.x, outline.y) = (pen, 0.0);
+        match (('\u{300}'..='\u{30c}').contains(&c), base, face.glyph_bounding_box(glyph(c))) {
+            (true, Some((middle, top)), Some(mark)) => {
+                // An accent stands over the middle of its letter, as that of D̂ must.
+                outline.x = middle - 0.5 * f32::from(mark.x_min + mark.x_max);
+                outline.y = (top + ACCENT_GAP - f32::from(mark.y_min)).max(0.0);
+            }
+            (_, _, size) => {
+                base =
+                    size.map(|size| (pen + 0.5 * f32::from(size.x_min + size.x_max), f32::from(size.y_max)));
+            }
+        }
         face.outline_glyph(glyph(c), &mut outline);
         pen += advance(c);
     }
     let turned = if text.upright { Transform::from_rotate(-90.0) } else { Transform::identity() };
     // Fonts count upwards, pictures downwards.
     let place = turned.pre_scale(scale, -scale).post_translate(narrow(text.at.0), narrow(text.at.1));
-    outline.0.finish()?.transform(place)
+    outline.path.finish()?.transform(place)
 }
 
-/// A path in the font's units and how far the pen has come.
-struct Outline(PathBuilder, f32);
+/// Height of the gap between a letter and its accent, in the font's units.
+const ACCENT_GAP: f32 = 110.0;
+
+/// A path in the font's units, and where the glyph that is added to it stands.
+struct Outline {
+    path: PathBuilder,
+    x: f32,
+    y: f32,
+}
 
 impl OutlineBuilder for Outline {
     fn move_to(&mut self, x: f32, y: f32) {
-        self.0.move_to(self.1 + x, y);
+        self.path.move_to(self.x + x, self.y + y);
     }
 
     fn line_to(&mut self, x: f32, y: f32) {
-        self.0.line_to(self.1 + x, y);
+        self.path.line_to(self.x + x, self.y + y);
     }
 
     fn quad_to(&mut self, x1: f32, y1: f32, x: f32, y: f32) {
-        self.0.quad_to(self.1 + x1, y1, self.1 + x, y);
+        self.path.quad_to(self.x + x1, self.y + y1, self.x + x, self.y + y);
     }
 
     fn curve_to(&mut self, x1: f32, y1: f32, x2: f32, y2: f32, x: f32, y: f32) {
-        self.0.cubic_to(self.1 + x1, y1, self.1 + x2, y2, self.1 + x, y);
+        let (dx, dy) = (self.x, self.y);
+        self.path.cubic_to(dx + x1, dy + y1, dx + x2, dy + y2, dx + x, dy + y);
     }
 
     fn close(&mut self) {
-        self.0.close();
+        self.path.close();
     }
 }
 

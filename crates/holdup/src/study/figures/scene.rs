@@ -38,7 +38,7 @@ pub(super) enum Anchor {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Text {
     pub(super) at: (f64, f64),
-    pub(super) text: String,
+    pub(super) words: String,
     pub(super) size: f64,
     pub(super) bold: bool,
     pub(super) anchor: Anchor,
@@ -92,7 +92,7 @@ pub(super) fn lay_out(figure: &Figure, titled: bool) -> Scene {
         // A title that is too long is made smaller: nothing breaks lines here.
         let size = LARGE.min(LARGE * (WIDTH - 40.0) / text_width(figure.title(), LARGE));
         scene.text((LEFT.min(20.0), 30.0), figure.title(), size, Anchor::Start).bold = true;
-        top = 46.0;
+        top = 48.0;
     }
     let several = figure.panels().len();
     let gap = if several > 1 { 16.0 } else { 0.0 };
@@ -127,9 +127,9 @@ impl Frame {
 }
 
 impl Scene {
-    fn text(&mut self, at: (f64, f64), text: &str, size: f64, anchor: Anchor) -> &mut Text {
+    fn text(&mut self, at: (f64, f64), words: &str, size: f64, anchor: Anchor) -> &mut Text {
         let text =
-            Text { at, text: text.to_owned(), size, bold: false, anchor, upright: false, lifted: false };
+            Text { at, words: words.to_owned(), size, bold: false, anchor, upright: false, lifted: false };
         self.shapes.push(Shape::Text(text));
         match self.shapes.last_mut() {
             Some(Shape::Text(text)) => text,
@@ -142,10 +142,16 @@ impl Scene {
     }
 
     fn panel(&mut self, figure: &Figure, panel: &Panel, view: View, frame: Frame, lowest: bool) {
-        let wide = if panel.is_equal_aspect() { 8 } else { 7 };
+        let wide = if panel.is_equal_aspect() { 11 } else { 7 };
         let x_ticks = view.x.ticks(wide, figure.panels().last().and_then(|lowest| lowest.x().tick_step()));
         self.x_axis(&x_ticks, view, frame, lowest.then(|| panel.x().label()));
-        let count = if frame.height > 400.0 { 8 } else { 5 };
+        let count = if frame.height > 400.0 {
+            9
+        } else if frame.height > 250.0 {
+            8
+        } else {
+            5
+        };
         self.y_axis(&view.y.ticks(count, panel.y().tick_step()), view, frame, panel.y().label());
         for reference in panel.references() {
             for line in view.reference(reference) {
@@ -297,19 +303,42 @@ fn text_width(text: &str, size: f64) -> f64 {
     size * (0.63 * float(columns(text)) - 0.24 * float(narrow) + 0.3 * float(wide)).max(0.1)
 }
 
-/// The line without the points that lie within a quarter of a pixel of their predecessor.
+/// The line without the points that no eye misses: those within a quarter of a pixel of their predecessor, then
+/// those within a tenth of a pixel of the line without them (Ramer, Douglas and Peucker's method).
 fn thinned(points: impl Iterator<Item = (f64, f64)>) -> Vec<(f64, f64)> {
-    let mut kept: Vec<(f64, f64)> = Vec::new();
+    let mut near: Vec<(f64, f64)> = Vec::new();
     let mut skipped = None;
     for point in points {
-        match kept.last() {
+        match near.last() {
             Some(last) if (last.0 - point.0).hypot(last.1 - point.1) < 0.25 => skipped = Some(point),
             _ => {
-                kept.push(point);
+                near.push(point);
                 skipped = None;
             }
         }
     }
-    kept.extend(skipped);
-    kept
+    near.extend(skipped);
+    let Some(last) = near.len().checked_sub(1) else { return near };
+    let mut kept = vec![false; near.len()];
+    (kept[0], kept[last]) = (true, true);
+    let mut open = vec![(0, last)];
+    while let Some((from, to)) = open.pop() {
+        let distances = (from + 1..to).map(|index| (index, distance(near[index], near[from], near[to])));
+        if let Some((index, far)) = distances.max_by(|a, b| a.1.total_cmp(&b.1))
+            && far > 0.1
+        {
+            kept[index] = true;
+            open.extend([(from, index), (index, to)]);
+        }
+    }
+    near.into_iter().zip(kept).filter_map(|(point, kept)| kept.then_some(point)).collect()
+}
+
+/// Distance of the point from the segment.
+fn distance(point: (f64, f64), from: (f64, f64), to: (f64, f64)) -> f64 {
+    let (dx, dy) = (to.0 - from.0, to.1 - from.1);
+    let length = dx * dx + dy * dy;
+    let along = if length > 0.0 { ((point.0 - from.0) * dx + (point.1 - from.1) * dy) / length } else { 0.0 };
+    let along = along.clamp(0.0, 1.0);
+    (point.0 - from.0 - along * dx).hypot(point.1 - from.1 - along * dy)
 }

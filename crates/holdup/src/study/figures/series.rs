@@ -121,7 +121,7 @@ impl Series {
         Self { tone, ..self }
     }
 
-    /// The series drawn with this width [px].
+    /// The series drawn with this width in pixels.
     ///
     /// # Errors
     /// [`FigureError::Value`] unless 0 < width ≤ 20.
@@ -157,7 +157,7 @@ impl Series {
         self.tone
     }
 
-    /// Width of the line [px].
+    /// Width of the line in pixels.
     #[must_use]
     pub fn width(&self) -> f64 {
         self.width

@@ -2,6 +2,7 @@
 //!
 //! Curves are braille dots, eight to a character. Letters on the curves tell them apart without colour.
 use super::figure::{Figure, Panel};
+use super::series::{Mark, Series};
 use super::text::{columns, cut};
 use super::ticks::Tick;
 use super::view::{Stroke, View, views};
@@ -64,26 +65,33 @@ fn push_line(text: &mut String, line: &str) {
 
 /// A name of the legend with the letter and the terminal colour of its curve.
 struct Name {
-    name: String,
+    words: String,
     letter: char,
     colour: u8,
 }
 
 fn names(figure: &Figure) -> Vec<Name> {
-    let named = figure.named().into_iter().zip(('a'..='z').cycle());
-    named
-        .map(|(series, letter)| {
-            let colour = figure.look(series).terminal;
-            Name { name: series.name().to_owned(), letter, colour }
-        })
-        .collect()
+    let name = |(order, series): (usize, &Series)| {
+        let colour = figure.look(series).terminal;
+        Name { words: series.name().to_owned(), letter: sign(series, order), colour }
+    };
+    figure.named().into_iter().enumerate().map(name).collect()
+}
+
+/// What stands on the curve and before its name in the legend.
+fn sign(series: &Series, order: usize) -> char {
+    match series.mark() {
+        Some(Mark::Cross) => '×',
+        Some(Mark::Disc) => '●',
+        None => ('a'..='z').cycle().nth(order).unwrap_or('a'),
+    }
 }
 
 /// The names in as many lines as they need.
 fn push_legend(text: &mut String, names: &[Name], width: usize, colour: bool) {
     let (mut line, mut used) = (String::new(), 0);
-    for Name { name, letter, colour: code } in names {
-        let entry = if names.len() > 1 { format!("{letter} {name}") } else { name.clone() };
+    for Name { words, letter, colour: code } in names {
+        let entry = if names.len() > 1 { format!("{letter} {words}") } else { words.clone() };
         let entry = cut(&entry, width);
         let needed = columns(&entry) + if used > 0 { 3 } else { 0 };
         if used > 0 && used + needed > width {
@@ -95,7 +103,7 @@ fn push_legend(text: &mut String, names: &[Name], width: usize, colour: bool) {
             used += 3;
         }
         used += columns(&entry);
-        line.push_str(&if colour { format!("\x1b[38;5;{code}m{entry}\x1b[0m") } else { entry });
+        push_coloured(&mut line, &entry, colour.then_some(*code));
     }
     if used > 0 {
         push_line(text, &line);
@@ -149,13 +157,13 @@ impl Canvas {
                 self.stroke(&stroke, colour, 1);
             }
             for place in view.marks(series).into_iter().filter(|_| series.mark().is_some()) {
-                self.letter(place, '×', colour);
+                self.letter(place, sign(series, 0), colour);
             }
         }
         let named = figure.named();
         for series in panel.series().iter().filter(|series| lettered && series.mark().is_none()) {
             let Some(order) = named.iter().position(|other| other.name() == series.name()) else { continue };
-            let letter = ('a'..='z').cycle().nth(order).unwrap_or('a');
+            let letter = sign(series, order);
             let look = figure.look(series).terminal;
             for place in letter_places(&view.strokes(series), order, named.len()) {
                 self.letter(place, letter, look);
@@ -188,9 +196,14 @@ impl Canvas {
         }
     }
 
-    fn letter(&mut self, (x, y): (f64, f64), letter: char, colour: u8) {
-        let column = cell(x * (self.columns - 1).into_float());
-        let row = cell((1.0 - y) * (self.rows - 1).into_float());
+    /// Row and column of the character in which the place lies.
+    fn character(&self, (x, y): (f64, f64)) -> (usize, usize) {
+        let (width, height) = ((self.columns * 2 - 1).into_float(), (self.rows * 4 - 1).into_float());
+        (cell((1.0 - y) * height) / 4, cell(x * width) / 2)
+    }
+
+    fn letter(&mut self, place: (f64, f64), letter: char, colour: u8) {
+        let (row, column) = self.character(place);
         if let Some(cell) = self.cells.get_mut(row * self.columns + column) {
             cell.letter = Some(letter);
             cell.colour = Some(colour);
@@ -198,9 +211,7 @@ impl Canvas {
     }
 
     fn write(&self, text: &mut String, widest: usize, ticks: &[Tick], view: View, colour: bool) {
-        let row_of = |tick: &Tick| {
-            view.y.place(tick.at).map(|place| cell((1.0 - place) * (self.rows - 1).into_float()))
-        };
+        let row_of = |tick: &Tick| view.y.place(tick.at).map(|place| self.character((0.0, place)).0);
         for row in 0..self.rows {
             let tick = ticks.iter().find(|tick| !tick.label.is_empty() && row_of(tick) == Some(row));
             let label = tick.map_or("", |tick| &tick.label);
@@ -223,21 +234,38 @@ impl Cell {
     fn write(self, line: &mut String, colour: bool) {
         let dots = char::from_u32(0x2800 + u32::from(self.dots)).filter(|_| self.dots > 0).unwrap_or(' ');
         let shown = self.letter.unwrap_or(dots);
-        match self.colour.filter(|_| colour) {
-            // Writing to a string cannot fail.
-            Some(code) => _ = write!(line, "\x1b[38;5;{code}m{shown}\x1b[0m"),
-            None => line.push(shown),
-        }
+        push_coloured(line, shown.encode_utf8(&mut [0; 4]), self.colour.filter(|_| colour));
     }
 }
 
-/// A few places along the curve, other ones for each series.
+fn push_coloured(line: &mut String, text: &str, colour: Option<u8>) {
+    match colour {
+        // Writing to a string cannot fail.
+        Some(code) => _ = write!(line, "\x1b[38;5;{code}m{text}\x1b[0m"),
+        None => line.push_str(text),
+    }
+}
+
+/// Three places along the drawn line, other ones for each series.
 fn letter_places(strokes: &[Stroke], order: usize, series: usize) -> Vec<(f64, f64)> {
-    let points: Vec<(f64, f64)> = strokes.iter().flatten().copied().collect();
-    let wanted =
+    let pairs = || strokes.iter().flat_map(|stroke| stroke.windows(2));
+    let length = |pair: &[(f64, f64)]| (pair[1].0 - pair[0].0).hypot(pair[1].1 - pair[0].1);
+    let total: f64 = pairs().map(length).sum();
+    let place = |share: f64| {
+        let mut left = share * total;
+        pairs().find_map(|pair| {
+            let step = length(pair);
+            if left > step || step == 0.0 {
+                left -= step;
+                return None;
+            }
+            let t = left / step;
+            Some((pair[0].0 + t * (pair[1].0 - pair[0].0), pair[0].1 + t * (pair[1].1 - pair[0].1)))
+        })
+    };
+    let shares =
         (0..3_usize).map(|k| (k.into_float() + (order.into_float() + 0.5) / series.into_float()) / 3.0);
-    let nearest = |x: f64| points.iter().copied().min_by(|a, b| (a.0 - x).abs().total_cmp(&(b.0 - x).abs()));
-    wanted.filter_map(nearest).collect()
+    shares.filter_map(place).collect()
 }
 
 trait IntoFloat {
@@ -263,7 +291,7 @@ fn cell(place: f64) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::study::figures::{Axis, Reference, Series};
+    use crate::study::figures::{Axis, Reference};
 
     fn figure() -> Figure {
         let x: Vec<f64> = (0..200).map(f64::from).collect();

@@ -46,7 +46,8 @@ impl Curve {
                 // The lead cannot give the phase any more where sin q = τ2·p·cos q.
                 let (mut low, mut high) = (0.0, FRAC_PI_2);
                 if self.filter > 0.0 {
-                    (low, high) = super::root::bracket(low, high, |q| q.sin() - self.filter * (PI - q) * q.cos());
+                    (low, high) =
+                        super::root::bracket(low, high, |q| q.sin() - self.filter * (PI - q) * q.cos());
                 }
                 (FRAC_PI_2, if self.filter > 0.0 { low.max(high) } else { 0.0 })
             }
@@ -62,7 +63,8 @@ impl Curve {
     /// The loop at this parameter, strictly between the ends or at the first.
     pub(super) fn at(&self, parameter: f64) -> Pd {
         let lag = self.filter;
-        let gain = |x: f64, lead: f64| x * (1.0 + (lag * x).powi(2)).sqrt() / (1.0 + (lead * x).powi(2)).sqrt();
+        let gain =
+            |x: f64, lead: f64| x * (1.0 + (lag * x).powi(2)).sqrt() / (1.0 + (lead * x).powi(2)).sqrt();
         match self.margin {
             Margin::Gain(margin) => {
                 let (p, (sin, cos)) = (PI - parameter, parameter.sin_cos());

@@ -17,7 +17,7 @@
 //! for d/T = 0.3 and prints a period of 5.10 d; it is 10.5 d.
 //!
 //! # Published values
-//! `decay_ratio` = 0.015; `Kc*K*d` = 0.568; `Ti/d` = 3.64; `decay_period/d` = 5.10 (DIFFERENCE, see the values file).
+//! `decay_ratio` = 0.015; `Kc*K*d` = 0.568; `Ti/d` = 3.64; `period_s/d` = 5.10 (DIFFERENCE, see the values file).
 //!
 //! # Reference
 //! Callender, Hartree, Porter (1936), Time-lag in a control system, Phil. Trans. R. Soc. A 235, 415-444.

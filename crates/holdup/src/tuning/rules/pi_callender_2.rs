@@ -16,7 +16,7 @@
 //! Gain margin 1.73, phase margin 18 deg, `M_s` 3.65, a setpoint step overshoots by 89 %.
 //!
 //! # Published values
-//! `Kc*K*d` = 0.69; `Ti/d` = 2.45; `decay_ratio` = 0.043 (DIFFERENCE, see the values file); `decay_period/d` = 6.28
+//! `Kc*K*d` = 0.69; `Ti/d` = 2.45; `decay_ratio` = 0.043 (DIFFERENCE, see the values file); `period_s/d` = 6.28
 //! (DIFFERENCE, see the values file).
 //!
 //! # Reference

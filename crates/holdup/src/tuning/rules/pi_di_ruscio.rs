@@ -20,8 +20,8 @@
 //! of a is derived here: the abstract that was read says that it depends on c alone.
 //!
 //! # Published values
-//! `Kc*K*Ti` = 2.38 at `c = 2.38`; `delay_margin/d` = 1.6; `delay_margin/d` = 1.6 at `c = 2.38`; `delay_margin/d` =
-//! 0.5 at `c = 1.5`, `delta = 0.5`.
+//! `Kc*K*Ti` = 2.38 at `c = 2.38`; `delay_margin_s/d` = 1.6; `delay_margin_s/d` = 1.6 at `c = 2.38`;
+//! `delay_margin_s/d` = 0.5 at `c = 1.5`, `delta = 0.5`.
 //!
 //! # Reference
 //! Di Ruscio (2010), On tuning PI controllers for integrating plus time delay systems, Modeling, Identification and

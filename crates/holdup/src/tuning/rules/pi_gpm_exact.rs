@@ -9,7 +9,7 @@
 //!
 //! # Parameters
 //! `GM`, default 3: gain margin (must be > 1).
-//! `PM_deg` [deg], default 45: phase margin (must be > 0 and < 90*(1 - 1/GM)).
+//! `PM_deg` [deg], default 45: phase margin (must be > 0 and < 90).
 //!
 //! # When
 //! A gain margin and a phase margin that must both be met exactly.
@@ -29,8 +29,8 @@ use std::f64::consts::FRAC_PI_2;
 
 use crate::model::Process;
 use crate::tuning::{
-    Applies, Default, Entry, Form, Parameter, Property, Provenance, RuleError, Status, Tuning, Unit, Values,
-    from_settings,
+    Applies, Default, Entry, Form, Infeasible, Parameter, Property, Provenance, RuleError, Specification,
+    Status, Tuning, Unit, Values, from_settings,
 };
 
 /// The rule.
@@ -49,7 +49,7 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
             .range("> 1")
             .asks(Property::GainMargin),
         Parameter::new("PM_deg", Unit::Degree, Default::Number(45.0), "phase margin")
-            .range("> 0 and < 90*(1 - 1/GM)")
+            .range("> 0 and < 90")
             .asks(Property::PhaseMargin),
     ],
     formula: &[("Ti", "tan(wp*d)/wp"), ("Kc", "wp*sin(wp*d)/(K*GM)")],
@@ -69,6 +69,18 @@ fn tune(entry: &'static Entry, _: &Process, values: &Values<'_>) -> Result<Tunin
     let mut values = values.clone();
     let (k, d) = (values.get("K")?, values.get("d")?);
     let (gain_margin, phase_margin) = (values.get("GM")?, values.get("PM_deg")?.to_radians());
+    let limit = FRAC_PI_2 * (1.0 - 1.0 / gain_margin);
+    if phase_margin >= limit {
+        let asked = values.specification();
+        let reason = format!(
+            "PI control with gain margin {gain_margin} has a phase margin below {:.4}°, that of P control",
+            limit.to_degrees()
+        );
+        // The limit is never reached: a ten-thousandth of it is left.
+        let nearest = Specification { phase_margin: Some(limit * (1.0 - 1e-4)), ..asked };
+        let infeasible = Infeasible { rule: entry.id, asked, reason, nearest: vec![nearest] };
+        return Err(RuleError::Infeasible(Box::new(infeasible)));
+    }
     // Along the loops of one gain margin the phase margin rises with the phase crossover, from 0 at 0 (Ti = d) to
     // the limit of P control at π/2 (Ti = ∞): the root is unique.
     let (mut low, mut high) = (0.0, FRAC_PI_2);
@@ -102,7 +114,7 @@ fn phase_margin_at(crossover: f64, gain_margin: f64) -> f64 {
 mod tests {
     use super::{FRAC_PI_2, phase_margin_at};
     use crate::model::{Process, Seconds};
-    use crate::tuning::{Parameters, rule};
+    use crate::tuning::{Parameters, RuleError, rule};
 
     #[test]
     fn phase_margin_rises_with_the_phase_crossover_up_to_that_of_proportional_control() {
@@ -115,12 +127,16 @@ mod tests {
     }
 
     #[test]
-    fn a_phase_margin_beyond_the_limit_of_proportional_control_is_refused_and_one_below_it_is_met() {
+    fn a_phase_margin_from_the_limit_of_proportional_control_on_is_infeasible_and_one_below_it_is_met() {
         let process = Process::integrating(-0.3, Seconds(2.0)).unwrap();
         let ask = |pm: f64| {
             rule("pi-gpm-exact").unwrap().tune(&process, &Parameters::new().set("GM", 2.0).set("PM_deg", pm))
         };
-        assert!(ask(45.0).unwrap_err().to_string().contains("< 90*(1 - 1/GM)"));
+        for beyond in [45.0, 60.0] {
+            let Err(RuleError::Infeasible(answer)) = ask(beyond) else { panic!("{beyond}") };
+            let near = answer.nearest[0].phase_margin.unwrap().to_degrees();
+            assert!(near < 45.0 && ask(near).is_ok());
+        }
         assert!(ask(44.99).unwrap().controller.integral_time().unwrap() > 1000.0);
         assert!(ask(0.01).unwrap().controller.integral_time().unwrap() > 2.0);
     }

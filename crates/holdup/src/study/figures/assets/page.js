@@ -2,7 +2,7 @@
 "use strict";
 (() => {
   const dark = matchMedia("(prefers-color-scheme: dark)");
-  const drawn = new Set();
+  const drawn = new Map();
 
   function colours(layout) {
     const style = getComputedStyle(document.documentElement);
@@ -40,7 +40,10 @@
       }
       used += entry;
     }
-    return figure.layout.height + 20 * (rows - 1);
+    const layout = figure.layout;
+    // A plane with equal units becomes empty when it is much taller than wide.
+    const plane = layout.yaxis.scaleanchor ? Math.max(0, layout.height - width - 40) : 0;
+    return layout.height - plane + 20 * (rows - 1);
   }
 
   function draw(box) {
@@ -48,22 +51,45 @@
     const plot = box.querySelector(".plot");
     box.classList.add("live");
     const width = plot.clientWidth;
-    figure.layout.height = height(figure, width);
     if (width < 500) {
       // Fingers scroll the page, they do not zoom the plot.
       figure.layout.dragmode = false;
       figure.layout.margin = { ...figure.layout.margin, l: 50, r: 8 };
     }
     const config = {
-      responsive: true,
       displaylogo: false,
+      displayModeBar: width < 500 ? false : "hover",
       modeBarButtonsToRemove: ["select2d", "lasso2d", "autoScale2d"],
       toImageButtonOptions: { format: "svg", filename: "figure" },
     };
-    Plotly.newPlot(plot, figure.data, figure.layout, config)
-      .then(() => Plotly.relayout(plot, colours(figure.layout)))
-      .then(() => drawn.add([plot, figure.layout]));
+    Plotly.newPlot(plot, figure.data, { ...figure.layout, ...size(figure, width) }, config).then(async () => {
+      await Plotly.relayout(plot, colours(figure.layout));
+      await placeLegend(plot);
+      drawn.set(plot, figure);
+      resized.observe(plot);
+    });
   }
+
+  function size(figure, width) {
+    return { width, height: height(figure, width) };
+  }
+
+  // The legend stands a fixed distance below the axis; plotly.js wants a fraction of the height that is left,
+  // which the legend itself makes smaller: the second pass is right.
+  async function placeLegend(plot) {
+    for (let pass = 0; pass < 2; pass += 1) {
+      await Plotly.relayout(plot, { "legend.y": -52 / plot._fullLayout._size.h });
+    }
+  }
+
+  const resized = new ResizeObserver((entries) => {
+    for (const { target } of entries) {
+      const width = target.clientWidth;
+      if (width > 0 && width !== target._fullLayout.width) {
+        Plotly.relayout(target, size(drawn.get(target), width)).then(() => placeLegend(target));
+      }
+    }
+  });
 
   const near = new IntersectionObserver(
     (entries) => {
@@ -76,6 +102,6 @@
   );
   document.querySelectorAll("figure").forEach((box) => near.observe(box));
   dark.addEventListener("change", () => {
-    for (const [plot, layout] of drawn) Plotly.relayout(plot, colours(layout));
+    for (const [plot, figure] of drawn) Plotly.relayout(plot, colours(figure.layout));
   });
 })();
