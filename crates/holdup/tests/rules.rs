@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use holdup::model::{Controller, Process, Seconds};
+use holdup::model::{Controller, DerivativeFilter, Process, Seconds};
 use holdup::tuning::{Applies, Default, Entry, Parameters, Status, Unit, evaluate, rule, rules};
 
 fn root() -> &'static Path {
@@ -48,7 +48,7 @@ fn settings(controller: &Controller) -> [f64; 7] {
         controller.proportional_gain(),
         controller.integral_time().unwrap_or(none),
         controller.derivative_time().unwrap_or(none),
-        controller.derivative_filter().map_or(none, |filter| filter.time()),
+        controller.derivative_filter().map_or(none, DerivativeFilter::time),
         controller.observer().map_or(none, |observer| observer.gain()),
         controller.output_filter().map_or(none, |filter| filter.a1),
         controller.output_filter().map_or(none, |filter| filter.a2),
@@ -79,8 +79,8 @@ fn assert_same(entry: &Entry, left: [f64; 7], right: [f64; 7]) {
 fn registry_is_in_step_with_its_folder() {
     let folder = root().join("src/tuning/rules");
     let stems = stems(&folder, "rs");
-    let modules: String = stems.iter().map(|stem| format!("mod {stem};\n")).collect();
-    let list: String = stems.iter().map(|stem| format!("    &{stem}::ENTRY,\n")).collect();
+    let modules: String = stems.iter().fold(String::new(), |all, stem| all + "mod " + stem + ";\n");
+    let list: String = stems.iter().fold(String::new(), |all, stem| all + "    &" + stem + "::ENTRY,\n");
     let right = format!(
         "//! The registered rules, one file each.\n//!\n//! A test (`tests/rules.rs`) keeps the lines below in step with \
          the folder: never edit them by hand.\n\nuse super::Entry;\n\n{modules}\n/// Every rule.\n#[rustfmt::skip]\n\
