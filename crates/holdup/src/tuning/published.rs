@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
+use super::achieved::achieved;
 use super::entry::Entry;
 use super::expression::evaluate;
 use super::parameters::Parameters;
@@ -54,8 +55,7 @@ impl std::default::Default for Example {
 /// A published value beside the computed one.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Judgement {
-    /// What is compared: a formula in the settings, in K, d, T and the parameters that are set, and in what the loop
-    /// achieves: `Ms`, `Mt`, `GM`, `PM_deg`, `DM` (delay margin, s).
+    /// What is compared: a formula in the settings, in K, d, T, and in what the loop achieves (`sensitivity_peak` …).
     pub what: String,
     /// The value as printed.
     pub printed: String,
@@ -123,7 +123,7 @@ impl Entry {
                 "K" => Some(process.process_gain()),
                 "d" => Some(process.dead_time()),
                 "T" => process.lag(),
-                _ => property(name).or_else(|| value.set.get(name).copied()),
+                _ => value.set.get(name).copied().or_else(|| achieved(name, &process, &tuning.controller)),
             })
         };
         let computed = evaluate(&value.what, &setting).map_err(|error| error.to_string())?;

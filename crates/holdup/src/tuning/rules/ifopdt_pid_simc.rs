@@ -1,27 +1,28 @@
-//! SIMC PID (series).
+//! SIMC PID for an integrator with lag.
 //!
 //! # Applies to
-//! The integrator with lag T and dead time.
+//! The integrator with lag T and dead time, `K·e^(−d·s)/(s·(T·s + 1))`.
 //!
 //! # Formula
-//! - `Kc = 1/(K*(tau_c + d))`
-//! - `Ti = 4*(tau_c + d)`
-//! - `Td = T`
+//! `Kc = 1/(K*(tau_c + d))`, `Ti = 4*(tau_c + d)`, `Td = T`. Series form: the lead cancels the lag, and the loop is
+//! that of pi-simc on the plain integrator.
 //!
 //! # Parameters
-//! `tau_c` [s], default d: closed-loop time constant (range > 0, advised >= d).
+//! `tau_c` [s], default d: closed-loop time constant, advised at least d.
 //!
 //! # When
-//! The everyday choice, for a series controller: the lag is cancelled.
+//! The everyday choice for an integrator with lag.
 //!
 //! # Limits
-//! The derivative is unfiltered in the source.
+//! `tau_c` below d is less robust than the author recommends. The derivative is unfiltered in the source: a lag
+//! much longer than the dead time makes it a large noise gain.
 //!
 //! # Published values
-//! `Ms` = 1.7.
+//! `sensitivity_peak` = 1.7; `sensitivity_peak` = 1.70 (K = 2, d = 3, T = 7).
 //!
 //! # Reference
-//! Skogestad (2003), J. Process Control 13, 291-309.
+//! Skogestad (2003), Simple analytic rules for model reduction and PID controller tuning, J. Process Control 13,
+//! 291-309.
 
 use crate::tuning::{
     Applies, Default, Entry, Form, Parameter, Property, Provenance, Status, Unit, by_formula,
@@ -30,23 +31,24 @@ use crate::tuning::{
 /// The rule.
 pub(in crate::tuning) static ENTRY: Entry = Entry {
     id: "ifopdt-pid-simc",
-    name: "SIMC PID (series)",
+    name: "SIMC PID for an integrator with lag",
     authors: "Skogestad",
     year: 2003,
-    citation: "J. Process Control 13, 291-309",
+    citation: "Simple analytic rules for model reduction and PID controller tuning, J. Process Control 13, \
+               291-309",
     structure: "PID",
     process: Applies::IntegratingWithLag,
     form: Form::Series,
     parameters: &[Parameter::new("tau_c", Unit::Second, Default::Formula("d"), "closed-loop time constant")
-        .range("> 0")
         .advised(">= d")
         .asks(Property::ClosedLoopTimeConstant)],
     formula: &[("Kc", "1/(K*(tau_c + d))"), ("Ti", "4*(tau_c + d)"), ("Td", "T")],
-    when: "The everyday choice, for a series controller: the lag is cancelled.",
-    limits: "The derivative is unfiltered in the source.",
+    when: "The everyday choice for an integrator with lag.",
+    limits: "tau_c below d is less robust than the author recommends. The derivative is unfiltered in the \
+             source: a lag much longer than the dead time makes it a large noise gain.",
     validity: &[],
     provenance: Provenance::RetrievedAndMemory,
-    source: "memory; public code on GitHub (pidtools 'Metody', sections SIMC, iSIMC, Lambda/IMC, averaging level)",
+    source: "public code on GitHub (pidtools \"Metody\"); memory (Skogestad 2003)",
     status: Status::Recommended,
     values: include_str!("../../../tests/rules/ifopdt-pid-simc.toml"),
     law: by_formula,

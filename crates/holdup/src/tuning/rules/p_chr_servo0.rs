@@ -4,23 +4,23 @@
 //! The plain integrator with dead time.
 //!
 //! # Formula
-//! - `Kc = 0.3/(K*d)`
+//! `Kc = 0.3/(K*d)`.
 //!
 //! # Parameters
 //! None.
 //!
 //! # When
-//! A P control without overshoot.
+//! P control that must not overshoot and has robustness to spare.
 //!
 //! # Limits
-//! A load leaves a lasting error.
+//! Slower than needed: 0.368/(K d) does not overshoot either (`p-mrdp`). The paper is about processes with a lag; this
+//! is its limit for a pure slope. P control leaves a lasting error under load.
 //!
 //! # Published values
-//! `Kc*K*d` = 0.3.
+//! `Kc*K*d` = 0.3; `100*overshoot` = 0.
 //!
 //! # Reference
-//! Chien, Hrones, Reswick (1952), On the automatic control of generalized passive systems, Trans. ASME 74,
-//! 175-185.
+//! Chien, Hrones, Reswick (1952), On the automatic control of generalized passive systems, Trans. ASME 74, 175-185.
 
 use crate::tuning::{Applies, Entry, Form, Provenance, Status, by_formula};
 
@@ -36,11 +36,13 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     form: Form::Ideal,
     parameters: &[],
     formula: &[("Kc", "0.3/(K*d)")],
-    when: "A P control without overshoot.",
-    limits: "A load leaves a lasting error.",
+    when: "P control that must not overshoot and has robustness to spare.",
+    limits: "Slower than needed: 0.368/(K d) does not overshoot either (p-mrdp). The paper is about \
+             processes with a lag; this is its limit for a pure slope. P control leaves a lasting error \
+             under load.",
     validity: &[],
     provenance: Provenance::Retrieved,
-    source: "public code on GitHub (MathWorks utTuningStepResponse.m, integrating branch)",
+    source: "public code on GitHub: utTuningStepResponse.m of MathWorks, integrating branch",
     status: Status::Recommended,
     values: include_str!("../../../tests/rules/p-chr-servo0.toml"),
     law: by_formula,

@@ -4,19 +4,20 @@
 //! The plain integrator with dead time.
 //!
 //! # Formula
-//! - `Kc = variant/(K*d)`
+//! `Kc = variant/(K*d)`.
 //!
 //! # Parameters
-//! `variant`, default 0.26: 0.26 for no overshoot, 0.44 for some (range 0.26 | 0.44).
+//! `variant`, default 0.26: loop gain K Kc d: 0.26 for no overshoot, 0.44 for some (one of 0.26, 0.44).
 //!
 //! # When
-//! A P control as one commercial toolkit sets it.
+//! Careful P control: no overshoot by default, about 1 % with the other variant.
 //!
 //! # Limits
-//! A load leaves a lasting error.
+//! The default lies well below the gain at which overshoot begins, 0.368/(K d), so it is slow. P control leaves a
+//! lasting error under load.
 //!
 //! # Published values
-//! `Kc*K*d` = 0.26.
+//! `Kc*K*d` = 0.26; `100*overshoot` = 0; `Kc*K*d` = 0.44 at `variant = 0.44`.
 //!
 //! # Reference
 //! National Instruments (2001), `LabVIEW` PID Control Toolset manual, via O'Dwyer 2009.
@@ -37,15 +38,16 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
         "variant",
         Unit::Ratio,
         Default::Number(0.26),
-        "0.26 for no overshoot, 0.44 for some",
+        "loop gain K Kc d: 0.26 for no overshoot, 0.44 for some",
     )
     .range("0.26 | 0.44")],
     formula: &[("Kc", "variant/(K*d)")],
-    when: "A P control as one commercial toolkit sets it.",
-    limits: "A load leaves a lasting error.",
+    when: "Careful P control: no overshoot by default, about 1 % with the other variant.",
+    limits: "The default lies well below the gain at which overshoot begins, 0.368/(K d), so it is slow. \
+             P control leaves a lasting error under load.",
     validity: &[],
     provenance: Provenance::Retrieved,
-    source: "github WKolaj/S7_PID-Tuner (C# transcription of O'Dwyer handbook tables), Methods/TunningMethods/IPDModelTunningMethods/*.cs, commit 59b8950a",
+    source: "public code on GitHub: S7_PID-Tuner, a transcription of O'Dwyer's handbook",
     status: Status::Recommended,
     values: include_str!("../../../tests/rules/p-labview.toml"),
     law: by_formula,

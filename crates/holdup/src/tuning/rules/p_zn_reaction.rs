@@ -4,16 +4,17 @@
 //! The plain integrator with dead time.
 //!
 //! # Formula
-//! - `Kc = 1/(K*d)`
+//! `Kc = 1/(K*d)`.
 //!
 //! # Parameters
 //! None.
 //!
 //! # When
-//! As history of the field; a fast P control.
+//! A first gain from a slope and a dead time read off a chart, where a quarter decay is acceptable.
 //!
 //! # Limits
-//! Gain margin 1.57 only. A load leaves a lasting error.
+//! Lightly damped: gain margin 1.57, phase margin 33 deg, `M_s` 3.13, a setpoint step overshoots by 50 %. P control
+//! leaves a lasting error under load. Read in a transcription, not in the paper.
 //!
 //! # Published values
 //! `Kc*K*d` = 1.0.
@@ -35,11 +36,14 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     form: Form::Ideal,
     parameters: &[],
     formula: &[("Kc", "1/(K*d)")],
-    when: "As history of the field; a fast P control.",
-    limits: "Gain margin 1.57 only. A load leaves a lasting error.",
+    when: "A first gain from a slope and a dead time read off a chart, where a quarter decay is \
+           acceptable.",
+    limits: "Lightly damped: gain margin 1.57, phase margin 33 deg, M_s 3.13, a setpoint step overshoots \
+             by 50 %. P control leaves a lasting error under load. Read in a transcription, not in the \
+             paper.",
     validity: &[],
     provenance: Provenance::Retrieved,
-    source: "github WKolaj/S7_PID-Tuner (C# transcription of O'Dwyer handbook tables), Methods/TunningMethods/IPDModelTunningMethods/*.cs, commit 59b8950a",
+    source: "public code on GitHub: S7_PID-Tuner, a transcription of O'Dwyer's handbook",
     status: Status::Recommended,
     values: include_str!("../../../tests/rules/p-zn-reaction.toml"),
     law: by_formula,

@@ -1,45 +1,47 @@
-//! Ziegler-Nichols ultimate cycle, P (IPDT closed form).
+//! Ziegler-Nichols ultimate cycle, P.
 //!
 //! # Applies to
 //! The plain integrator with dead time.
 //!
 //! # Formula
-//! - `Kc = pi/(4*K*d)`
+//! `Ku = pi/(2*K*d)`, `Kc = 0.5*Ku`.
 //!
 //! # Parameters
 //! None.
 //!
 //! # When
-//! A P control with gain margin 2 and phase margin 45° exactly.
+//! The ultimate-cycle experiment done on the model: half the gain at which the loop oscillates.
 //!
 //! # Limits
-//! A load leaves a lasting error.
+//! Gain margin exactly 2 and phase margin 45 deg, but a setpoint step overshoots by 29 %. P control leaves a lasting
+//! error under load.
 //!
 //! # Published values
-//! `GM` = 2.0000; `PM_deg` = 45.0000.
+//! `gain_margin*Kc*K*d` = 1.57079632679; `2*pi/(phase_crossover*d)` = 4.0.
 //!
 //! # Reference
-//! Ziegler, Nichols (1942), Trans. ASME 64, 759-768; for IPDT Ku=pi/(2 Kp d), Pu=4d.
+//! Ziegler, Nichols (1942), Trans. ASME 64, 759-768; ultimate gain pi/(2 K d) and period 4 d of this process.
 
 use crate::tuning::{Applies, Entry, Form, Provenance, Status, by_formula};
 
 /// The rule.
 pub(in crate::tuning) static ENTRY: Entry = Entry {
     id: "p-zn-ultimate",
-    name: "Ziegler-Nichols ultimate cycle, P (IPDT closed form)",
+    name: "Ziegler-Nichols ultimate cycle, P",
     authors: "Ziegler, Nichols",
     year: 1942,
-    citation: "Trans. ASME 64, 759-768; for IPDT Ku=pi/(2 Kp d), Pu=4d",
+    citation: "Trans. ASME 64, 759-768; ultimate gain pi/(2 K d) and period 4 d of this process",
     structure: "P",
     process: Applies::Integrating,
     form: Form::Ideal,
     parameters: &[],
-    formula: &[("Kc", "pi/(4*K*d)")],
-    when: "A P control with gain margin 2 and phase margin 45° exactly.",
-    limits: "A load leaves a lasting error.",
+    formula: &[("Ku", "pi/(2*K*d)"), ("Kc", "0.5*Ku")],
+    when: "The ultimate-cycle experiment done on the model: half the gain at which the loop oscillates.",
+    limits: "Gain margin exactly 2 and phase margin 45 deg, but a setpoint step overshoots by 29 %. P \
+             control leaves a lasting error under load.",
     validity: &[],
     provenance: Provenance::Retrieved,
-    source: "https://github.com/rodriguessdeyson/pid-tuner README table and https://pages.mtu.edu/~tbco/cm416/znmethod.pdf",
+    source: "rodriguessdeyson/pid-tuner, table of its README; znmethod.pdf of pages.mtu.edu",
     status: Status::Recommended,
     values: include_str!("../../../tests/rules/p-zn-ultimate.toml"),
     law: by_formula,

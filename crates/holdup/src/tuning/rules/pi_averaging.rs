@@ -4,25 +4,27 @@
 //! The plain integrator with dead time.
 //!
 //! # Formula
-//! - `Kc = Kc_max`
-//! - `Ti = 4/(K*Kc)`
+//! `Kc = Kc_max`, `Ti = 4/(K*Kc)`.
 //!
 //! # Parameters
-//! `Kc_max` [input/output unit], default 0.25/(K*d): largest valve move over largest allowed excursion (range
-//! > 0).
+//! `Kc_max` [input/output unit], default 0.25/(K*d): largest move of the manipulated variable over largest allowed
+//! excursion.
 //!
 //! # When
-//! Buffer tanks: use the volume, move the valve little.
+//! A buffer tank that shall use its volume: the least gain that keeps the level within its limits moves the outflow
+//! least.
 //!
 //! # Limits
-//! The gain is the largest valve move over the largest allowed excursion; the default only shows the form.
+//! The gain is the largest valve move over the largest allowed excursion, from the plant and not from the model; the
+//! default is only a quiet example (`M_s` 1.27). Without dead time the damping ratio is 1; slow, load IAE 64 K d^2 at
+//! the default.
 //!
 //! # Published values
-//! None retrieved.
+//! `K*Kc*Ti` = 4 at `Kc_max = 0.1`.
 //!
 //! # Reference
-//! Skogestad (2006), Tuning for smooth PID control with acceptable disturbance rejection, Ind. Eng. Chem.
-//! Res. 45, 7817-7822.
+//! Skogestad (2006), Tuning for smooth PID control with acceptable disturbance rejection, Ind. Eng. Chem. Res. 45,
+//! 7817-7822.
 
 use crate::tuning::{Applies, Default, Entry, Form, Parameter, Provenance, Status, Unit, by_formula};
 
@@ -32,7 +34,8 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     name: "Averaging (smooth) level PI",
     authors: "Skogestad",
     year: 2006,
-    citation: "Tuning for smooth PID control with acceptable disturbance rejection, Ind. Eng. Chem. Res. 45, 7817-7822",
+    citation: "Tuning for smooth PID control with acceptable disturbance rejection, Ind. Eng. Chem. Res. \
+               45, 7817-7822",
     structure: "PI",
     process: Applies::Integrating,
     form: Form::Ideal,
@@ -40,14 +43,18 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
         "Kc_max",
         Unit::Gain,
         Default::Formula("0.25/(K*d)"),
-        "largest valve move over largest allowed excursion",
+        "largest move of the manipulated variable over largest allowed excursion",
     )],
     formula: &[("Kc", "Kc_max"), ("Ti", "4/(K*Kc)")],
-    when: "Buffer tanks: use the volume, move the valve little.",
-    limits: "The gain is the largest valve move over the largest allowed excursion; the default only shows the form.",
+    when: "A buffer tank that shall use its volume: the least gain that keeps the level within its limits \
+           moves the outflow least.",
+    limits: "The gain is the largest valve move over the largest allowed excursion, from the plant and \
+             not from the model; the default is only a quiet example (M_s 1.27). Without dead time the \
+             damping ratio is 1; slow, load IAE 64 K d^2 at the default.",
     validity: &[],
     provenance: Provenance::Retrieved,
-    source: "public code on GitHub (pidtools 'Metody', sections SIMC, iSIMC, Lambda/IMC, averaging level); https://folk.ntnu.no/skoge/publications/2003/tuningPID/smooth_tunings/README.txt",
+    source: "public code on GitHub (pidtools \"Metody\", averaging level); README of the smooth tunings \
+             at folk.ntnu.no/skoge",
     status: Status::Recommended,
     values: include_str!("../../../tests/rules/pi-averaging.toml"),
     law: by_formula,

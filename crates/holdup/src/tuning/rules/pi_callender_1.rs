@@ -4,20 +4,20 @@
 //! The plain integrator with dead time.
 //!
 //! # Formula
-//! - `Kc = 0.568/(K*d)`
-//! - `Ti = 3.64*d`
+//! `Kc = 0.568/(K*d)`, `Ti = 3.64*d`.
 //!
 //! # Parameters
 //! None.
 //!
 //! # When
-//! As history of the field: the first tuning for dead time.
+//! The earliest rule with a stated damping that holds: an oscillation that dies in one period.
 //!
 //! # Limits
-//! Nothing beyond what the margins show.
+//! Gain margin 2.37, phase margin 31 deg, `M_s` 2.21; a setpoint step overshoots by 57 %. The transcription names it
+//! for d/T = 0.3 and prints a period of 5.10 d; it is 10.5 d.
 //!
 //! # Published values
-//! `Kc*K*d` = 0.568; `Ti/d` = 3.64.
+//! `decay_ratio` = 0.015; `Kc*K*d` = 0.568; `Ti/d` = 3.64; `period_s/d` = 5.10 (DIFFERENCE, see the values file).
 //!
 //! # Reference
 //! Callender, Hartree, Porter (1936), Time-lag in a control system, Phil. Trans. R. Soc. A 235, 415-444.
@@ -36,11 +36,12 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     form: Form::Ideal,
     parameters: &[],
     formula: &[("Kc", "0.568/(K*d)"), ("Ti", "3.64*d")],
-    when: "As history of the field: the first tuning for dead time.",
-    limits: "Nothing beyond what the margins show.",
+    when: "The earliest rule with a stated damping that holds: an oscillation that dies in one period.",
+    limits: "Gain margin 2.37, phase margin 31 deg, M_s 2.21; a setpoint step overshoots by 57 %. The \
+             transcription names it for d/T = 0.3 and prints a period of 5.10 d; it is 10.5 d.",
     validity: &[],
     provenance: Provenance::Retrieved,
-    source: "github gmxavier/turu, turu.py, commit 14911e3c (O'Dwyer 2009 transcription)",
+    source: "public code on GitHub: turu.py, a transcription of O'Dwyer's handbook",
     status: Status::Recommended,
     values: include_str!("../../../tests/rules/pi-callender-1.toml"),
     law: by_formula,

@@ -4,20 +4,20 @@
 //! The plain integrator with dead time.
 //!
 //! # Formula
-//! - `Kc = 1.5/(K*d)`
-//! - `Ti = 5.56*d`
+//! `Kc = 1.5/(K*d)`, `Ti = 5.56*d`.
 //!
 //! # Parameters
 //! None.
 //!
 //! # When
-//! Never.
+//! Never: the loop is unstable.
 //!
 //! # Limits
-//! As transcribed the loop is unstable.
+//! P control alone is unstable from Kc = 1.571/(K d) on, and integral action needs more distance: these settings have
+//! a gain margin of 0.957.
 //!
 //! # Published values
-//! `Kc*K*d` = 1.5; `Ti/d` = 5.56.
+//! `Kc*K*d` = 1.5; `Ti/d` = 5.56; `unstable_poles` = 0 (DIFFERENCE, see the values file).
 //!
 //! # Reference
 //! Hazebroek, van der Waerden (1950), Trans. ASME 72, 309-322.
@@ -36,12 +36,13 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     form: Form::Ideal,
     parameters: &[],
     formula: &[("Kc", "1.5/(K*d)"), ("Ti", "5.56*d")],
-    when: "Never.",
-    limits: "As transcribed the loop is unstable.",
+    when: "Never: the loop is unstable.",
+    limits: "P control alone is unstable from Kc = 1.571/(K d) on, and integral action needs more \
+             distance: these settings have a gain margin of 0.957.",
     validity: &[],
     provenance: Provenance::Retrieved,
-    source: "github WKolaj/S7_PID-Tuner (C# transcription of O'Dwyer handbook tables), Methods/TunningMethods/IPDModelTunningMethods/*.cs, commit 59b8950a",
-    status: Status::Wrong("as transcribed the loop is unstable: two poles in the right half plane"),
+    source: "public code on GitHub: S7_PID-Tuner, a transcription of O'Dwyer's handbook",
+    status: Status::Wrong("the loop is unstable: the gain is 4 % above the stability limit"),
     values: include_str!("../../../tests/rules/pi-hazebroek.toml"),
     law: by_formula,
 };

@@ -4,26 +4,26 @@
 //! The plain integrator with dead time.
 //!
 //! # Formula
-//! - `Kc = 0.41*exp(-0.23*tau + 0.019*tau^2)*tau/(K*d)`
-//! - `Ti = 5.7*d*exp(1.7*tau - 0.69*tau^2)`
-//! - `b = 0.6012992041288681`
+//! `Kc = 0.41*exp(-0.23*tau + 0.019*tau^2)*tau/(K*d)`, `Ti = 5.7*d*exp(1.7*tau - 0.69*tau^2)`,
+//! `b = 0.33*exp(2.5*tau - 1.9*tau^2)`. The general form is for a lag as well: `a = K*(d + T)`, `tau = d/(d + T)`, so
+//! `K*(d + T)` is written `K*d/tau`; this process has tau = 1.
 //!
 //! # Parameters
-//! `tau`, default 1.0: dead time over dead time plus lag (range > 0 and <= 1).
+//! `tau`, default 1: normalised dead time d/(d + T), 1 for the plain integrator (must be > 0 and <= 1).
 //!
 //! # When
-//! Robust PI: sensitivity peak 1.4 at tau = 1.
+//! Robust control (`M_s` 1.38) with a setpoint weight that takes the overshoot away.
 //!
 //! # Limits
-//! From memory, no source was read. tau = d/(d + T) is 1 for the plain integrator; K (d + T) is written K
-//! d/tau.
+//! A fit over many processes with lag, at the edge of its range. Slow: load IAE 47 K d^2. From memory; its design
+//! condition holds, which speaks for the numbers.
 //!
 //! # Published values
-//! None retrieved.
+//! `sensitivity_peak` = 1.4; `b` = 0.6012992041288681.
 //!
 //! # Reference
-//! Astrom, Hagglund (1995), PID Controllers (ISA 1995), integrating-process tables: a=Kv(L+T), tau=L/(L+T);
-//! f=a0 exp(a1 tau + a2 tau^2).
+//! Astrom, Hagglund (1995), PID Controllers: Theory, Design and Tuning, 2nd ed., ISA, tables for integrating
+//! processes. From memory: no source was read.
 
 use crate::tuning::{Applies, Default, Entry, Form, Parameter, Provenance, Status, Unit, by_formula};
 
@@ -33,7 +33,7 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     name: "Kappa-tau step response PI, Ms=1.4, at tau=1 (pure IPDT)",
     authors: "Astrom, Hagglund",
     year: 1995,
-    citation: "PID Controllers (ISA 1995), integrating-process tables: a=Kv(L+T), tau=L/(L+T); f=a0 exp(a1 tau + a2 tau^2)",
+    citation: "PID Controllers: Theory, Design and Tuning, 2nd ed., ISA, tables for integrating processes",
     structure: "PI",
     process: Applies::Integrating,
     form: Form::Ideal,
@@ -41,19 +41,20 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
         "tau",
         Unit::Ratio,
         Default::Number(1.0),
-        "dead time over dead time plus lag",
+        "normalised dead time d/(d + T), 1 for the plain integrator",
     )
     .range("> 0 and <= 1")],
     formula: &[
         ("Kc", "0.41*exp(-0.23*tau + 0.019*tau^2)*tau/(K*d)"),
         ("Ti", "5.7*d*exp(1.7*tau - 0.69*tau^2)"),
-        ("b", "0.6012992041288681"),
+        ("b", "0.33*exp(2.5*tau - 1.9*tau^2)"),
     ],
-    when: "Robust PI: sensitivity peak 1.4 at tau = 1.",
-    limits: "From memory, no source was read. tau = d/(d + T) is 1 for the plain integrator; K (d + T) is written K d/tau.",
+    when: "Robust control (M_s 1.38) with a setpoint weight that takes the overshoot away.",
+    limits: "A fit over many processes with lag, at the edge of its range. Slow: load IAE 47 K d^2. From \
+             memory; its design condition holds, which speaks for the numbers.",
     validity: &[],
     provenance: Provenance::Memory,
-    source: "memory",
+    source: "none retrieved",
     status: Status::Recommended,
     values: include_str!("../../../tests/rules/pi-kappatau-14.toml"),
     law: by_formula,

@@ -4,17 +4,16 @@
 //! The plain integrator with dead time.
 //!
 //! # Formula
-//! - `Kc = 0.8/(K*d)`
-//! - `Ti = 3*d`
+//! `Kc = 0.8/(K*d)`, `Ti = 3*d`.
 //!
 //! # Parameters
 //! None.
 //!
 //! # When
-//! As history of the field.
+//! Only to compare with.
 //!
 //! # Limits
-//! Close to Ziegler-Nichols.
+//! Gain margin 1.61, phase margin 20 deg, `M_s` 3.63, a setpoint step overshoots by 87 %.
 //!
 //! # Published values
 //! `Kc*K*d` = 0.8; `Ti/d` = 3.0.
@@ -36,12 +35,12 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     form: Form::Ideal,
     parameters: &[],
     formula: &[("Kc", "0.8/(K*d)"), ("Ti", "3*d")],
-    when: "As history of the field.",
-    limits: "Close to Ziegler-Nichols.",
+    when: "Only to compare with.",
+    limits: "Gain margin 1.61, phase margin 20 deg, M_s 3.63, a setpoint step overshoots by 87 %.",
     validity: &[],
     provenance: Provenance::Retrieved,
-    source: "github gmxavier/turu, turu.py, commit 14911e3c (O'Dwyer 2009 transcription)",
-    status: Status::History("close to Ziegler-Nichols, from a secondary transcription"),
+    source: "public code on GitHub: turu.py, a transcription of O'Dwyer's handbook",
+    status: Status::History("nearly undamped (M_s 3.6), of the Ziegler-Nichols kind"),
     values: include_str!("../../../tests/rules/pi-oppelt-moros.toml"),
     law: by_formula,
 };

@@ -4,23 +4,22 @@
 //! The plain integrator with dead time.
 //!
 //! # Formula
-//! - `Kc = 0.91/(K*d)`
-//! - `Ti = 3.3*d`
+//! `Kc = 0.91/(K*d)`, `Ti = 3.3*d`.
 //!
 //! # Parameters
 //! None.
 //!
 //! # When
-//! As history of the field.
+//! Only to compare with: Ziegler-Nichols in all but the last digit.
 //!
 //! # Limits
-//! Nearly Ziegler-Nichols.
+//! Gain margin 1.45, phase margin 18 deg, `M_s` 4.30, a setpoint step overshoots by 93 %.
 //!
 //! # Published values
 //! `Kc*K*d` = 0.91; `Ti/d` = 3.3.
 //!
 //! # Reference
-//! Parr (1989), E.A. Parr, Industrial Control Handbook, via O'Dwyer 2009.
+//! Parr (1989), Industrial Control Handbook, via O'Dwyer 2009.
 
 use crate::tuning::{Applies, Entry, Form, Provenance, Status, by_formula};
 
@@ -30,18 +29,18 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     name: "Parr 1989 reaction curve, PI",
     authors: "Parr",
     year: 1989,
-    citation: "E.A. Parr, Industrial Control Handbook, via O'Dwyer 2009",
+    citation: "Industrial Control Handbook, via O'Dwyer 2009",
     structure: "PI",
     process: Applies::Integrating,
     form: Form::Ideal,
     parameters: &[],
     formula: &[("Kc", "0.91/(K*d)"), ("Ti", "3.3*d")],
-    when: "As history of the field.",
-    limits: "Nearly Ziegler-Nichols.",
+    when: "Only to compare with: Ziegler-Nichols in all but the last digit.",
+    limits: "Gain margin 1.45, phase margin 18 deg, M_s 4.30, a setpoint step overshoots by 93 %.",
     validity: &[],
     provenance: Provenance::Retrieved,
-    source: "github gmxavier/turu, turu.py, commit 14911e3c (O'Dwyer 2009 transcription)",
-    status: Status::History("Ziegler-Nichols in other digits"),
+    source: "public code on GitHub: turu.py, a transcription of O'Dwyer's handbook",
+    status: Status::History("the Ziegler-Nichols settings again, nearly undamped (M_s 4.3)"),
     values: include_str!("../../../tests/rules/pi-parr.toml"),
     law: by_formula,
 };

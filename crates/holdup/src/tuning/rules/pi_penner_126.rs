@@ -4,23 +4,23 @@
 //! The plain integrator with dead time.
 //!
 //! # Formula
-//! - `Kc = 0.58/(K*d)`
-//! - `Ti = 10*d`
+//! `Kc = 0.58/(K*d)`, `Ti = 10*d`.
 //!
 //! # Parameters
 //! None.
 //!
 //! # When
-//! PI with the complementary peak 1.26.
+//! Setpoint following with little resonance: `M_t` 1.26.
 //!
 //! # Limits
-//! From memory, no source was read.
+//! The integral is slow (load IAE 17 K d^2) although the loop is not very robust (`M_s` 1.84). From memory; its design
+//! condition holds.
 //!
 //! # Published values
-//! `Mt` = 1.26.
+//! `complementary_sensitivity_peak` = 1.26.
 //!
 //! # Reference
-//! Penner (1988), Tuning rules for a PI controller, Proc. ISA (via O'Dwyer).
+//! Penner (1988), Tuning rules for a PI controller, Proc. ISA (via O'Dwyer). From memory: no source was read.
 
 use crate::tuning::{Applies, Entry, Form, Provenance, Status, by_formula};
 
@@ -36,11 +36,12 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     form: Form::Ideal,
     parameters: &[],
     formula: &[("Kc", "0.58/(K*d)"), ("Ti", "10*d")],
-    when: "PI with the complementary peak 1.26.",
-    limits: "From memory, no source was read.",
+    when: "Setpoint following with little resonance: M_t 1.26.",
+    limits: "The integral is slow (load IAE 17 K d^2) although the loop is not very robust (M_s 1.84). \
+             From memory; its design condition holds.",
     validity: &[],
     provenance: Provenance::Memory,
-    source: "memory",
+    source: "none retrieved",
     status: Status::Recommended,
     values: include_str!("../../../tests/rules/pi-penner-126.toml"),
     law: by_formula,

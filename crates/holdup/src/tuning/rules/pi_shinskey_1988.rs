@@ -4,23 +4,23 @@
 //! The plain integrator with dead time.
 //!
 //! # Formula
-//! - `Kc = 0.9259/(K*d)`
-//! - `Ti = 4*d`
+//! `Kc = 0.9259/(K*d)`, `Ti = 4*d`.
 //!
 //! # Parameters
 //! None.
 //!
 //! # When
-//! Least integrated error after a load, robustness aside.
+//! Load rejection above all: load IAE 4.9 K d^2, close to the least that PI control can have.
 //!
 //! # Limits
-//! Proportional band 108 K d. From memory, no source was read.
+//! No robustness: gain margin 1.48, phase margin 21 deg, `M_s` 3.90, a setpoint step overshoots by 86 %. Written in
+//! the source as a proportional band of 108 K d %. From memory.
 //!
 //! # Published values
 //! `Kc*K*d` = 0.9259; `Ti/d` = 4.0.
 //!
 //! # Reference
-//! Shinskey (1988), Process Control Systems, 3rd ed..
+//! Shinskey (1988), Process Control Systems, 3rd ed.. From memory: no source was read.
 
 use crate::tuning::{Applies, Entry, Form, Provenance, Status, by_formula};
 
@@ -36,11 +36,12 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     form: Form::Ideal,
     parameters: &[],
     formula: &[("Kc", "0.9259/(K*d)"), ("Ti", "4*d")],
-    when: "Least integrated error after a load, robustness aside.",
-    limits: "Proportional band 108 K d. From memory, no source was read.",
+    when: "Load rejection above all: load IAE 4.9 K d^2, close to the least that PI control can have.",
+    limits: "No robustness: gain margin 1.48, phase margin 21 deg, M_s 3.90, a setpoint step overshoots \
+             by 86 %. Written in the source as a proportional band of 108 K d %. From memory.",
     validity: &[],
     provenance: Provenance::Memory,
-    source: "memory",
+    source: "none retrieved",
     status: Status::Recommended,
     values: include_str!("../../../tests/rules/pi-shinskey-1988.toml"),
     law: by_formula,

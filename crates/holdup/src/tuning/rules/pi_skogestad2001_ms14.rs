@@ -4,24 +4,23 @@
 //! The plain integrator with dead time.
 //!
 //! # Formula
-//! - `Kc = 0.28/(K*d)`
-//! - `Ti = 7*d`
+//! `Kc = 0.28/(K*d)`, `Ti = 7*d`.
 //!
 //! # Parameters
 //! None.
 //!
 //! # When
-//! Smooth PI with the sensitivity peak 1.4.
+//! Robust control: about the largest integral gain that `M_s` 1.4 allows.
 //!
 //! # Limits
-//! Nothing beyond what the margins show.
+//! Slow to reject loads, load IAE 28 K d^2. Read in a transcription, not in the paper.
 //!
 //! # Published values
-//! `Ms` = 1.4.
+//! `sensitivity_peak` = 1.4.
 //!
 //! # Reference
-//! Skogestad (2001), Probably the best simple PID tuning rules in the world, `AIChE` Annual Meeting, Reno
-//! 2001 (row as in O'Dwyer).
+//! Skogestad (2001), Probably the best simple PID tuning rules in the world, `AIChE` Annual Meeting, Reno 2001 (row as
+//! in O'Dwyer).
 
 use crate::tuning::{Applies, Entry, Form, Provenance, Status, by_formula};
 
@@ -31,17 +30,18 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     name: "Skogestad 2001 optimum for Ms=1.4, PI",
     authors: "Skogestad",
     year: 2001,
-    citation: "Probably the best simple PID tuning rules in the world, AIChE Annual Meeting, Reno 2001 (row as in O'Dwyer)",
+    citation: "Probably the best simple PID tuning rules in the world, AIChE Annual Meeting, Reno 2001 \
+               (row as in O'Dwyer)",
     structure: "PI",
     process: Applies::Integrating,
     form: Form::Ideal,
     parameters: &[],
     formula: &[("Kc", "0.28/(K*d)"), ("Ti", "7*d")],
-    when: "Smooth PI with the sensitivity peak 1.4.",
-    limits: "Nothing beyond what the margins show.",
+    when: "Robust control: about the largest integral gain that M_s 1.4 allows.",
+    limits: "Slow to reject loads, load IAE 28 K d^2. Read in a transcription, not in the paper.",
     validity: &[],
     provenance: Provenance::Retrieved,
-    source: "github WKolaj/S7_PID-Tuner (C# transcription of O'Dwyer handbook tables), Methods/TunningMethods/IPDModelTunningMethods/*.cs, commit 59b8950a",
+    source: "public code on GitHub: S7_PID-Tuner, a transcription of O'Dwyer's handbook",
     status: Status::Recommended,
     values: include_str!("../../../tests/rules/pi-skogestad2001-ms14.toml"),
     law: by_formula,

@@ -4,23 +4,22 @@
 //! The plain integrator with dead time.
 //!
 //! # Formula
-//! - `Kc = 0.45*pi/(2*K*d)`
-//! - `Ti = 4*d/1.2`
+//! `Ku = pi/(2*K*d)`, `Pu = 4*d`, `Kc = 0.45*Ku`, `Ti = Pu/1.2`.
 //!
 //! # Parameters
 //! None.
 //!
 //! # When
-//! As history of the field.
+//! The classic ultimate-cycle settings, computed from the model instead of an experiment.
 //!
 //! # Limits
-//! Ku = pi/(2 K d) and Pu = 4 d of the plain integrator are put in.
+//! Aggressive: gain margin 1.87, phase margin 25 deg, `M_s` 2.83, a setpoint step overshoots by 73 %.
 //!
 //! # Published values
-//! `Kc*Ti*K` = 2.38.
+//! `Kc*K*Ti` = 2.38 (DIFFERENCE, see the values file).
 //!
 //! # Reference
-//! Ziegler, Nichols (1942), Trans. ASME 64; IPDT: Ku=pi/(2 Kp d), Pu=4d.
+//! Ziegler, Nichols (1942), Trans. ASME 64, 759-768; ultimate gain pi/(2 K d) and period 4 d of this process.
 
 use crate::tuning::{Applies, Entry, Form, Provenance, Status, by_formula};
 
@@ -30,17 +29,18 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     name: "Ziegler-Nichols ultimate cycle, PI",
     authors: "Ziegler, Nichols",
     year: 1942,
-    citation: "Trans. ASME 64; IPDT: Ku=pi/(2 Kp d), Pu=4d",
+    citation: "Trans. ASME 64, 759-768; ultimate gain pi/(2 K d) and period 4 d of this process",
     structure: "PI",
     process: Applies::Integrating,
     form: Form::Ideal,
     parameters: &[],
-    formula: &[("Kc", "0.45*pi/(2*K*d)"), ("Ti", "4*d/1.2")],
-    when: "As history of the field.",
-    limits: "Ku = pi/(2 K d) and Pu = 4 d of the plain integrator are put in.",
+    formula: &[("Ku", "pi/(2*K*d)"), ("Pu", "4*d"), ("Kc", "0.45*Ku"), ("Ti", "Pu/1.2")],
+    when: "The classic ultimate-cycle settings, computed from the model instead of an experiment.",
+    limits: "Aggressive: gain margin 1.87, phase margin 25 deg, M_s 2.83, a setpoint step overshoots by \
+             73 %.",
     validity: &[],
     provenance: Provenance::Retrieved,
-    source: "https://github.com/rodriguessdeyson/pid-tuner README table and https://pages.mtu.edu/~tbco/cm416/znmethod.pdf",
+    source: "rodriguessdeyson/pid-tuner, table of its README; znmethod.pdf of pages.mtu.edu",
     status: Status::Recommended,
     values: include_str!("../../../tests/rules/pi-zn-ultimate.toml"),
     law: by_formula,

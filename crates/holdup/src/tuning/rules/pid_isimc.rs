@@ -1,28 +1,28 @@
-//! Improved SIMC PID on IPDT (series, Td=d/3).
+//! Improved SIMC PID, integrating.
 //!
 //! # Applies to
 //! The plain integrator with dead time.
 //!
 //! # Formula
-//! - `Kc = 1/(K*(tau_c + d))`
-//! - `Ti = 4*(tau_c + d)`
-//! - `Td = d/3`
+//! `Kc = 1/(K*(tau_c + d))`, `Ti = 4*(tau_c + d)`, `Td = d/3`.
 //!
 //! # Parameters
-//! `tau_c` [s], default d/2: closed-loop time constant (range > 0, advised >= d/2).
+//! `tau_c` [s], default d/2: closed-loop time constant, advised at least d/2.
 //!
 //! # When
-//! SIMC with derivative action against the dead time, for a series controller.
+//! SIMC with derivative action, the everyday PID: as robust as pi-simc, with 9/16 of its integral error after a
+//! load.
 //!
 //! # Limits
-//! The derivative is unfiltered in the source. `tau_c` below d/2 is less robust than the authors recommend.
+//! At the default the sensitivity peak is 1.73 and the gain margin 2.58; at `tau_c` = d 1.46 and 3.47. Series form.
+//! The derivative is unfiltered in the source.
 //!
 //! # Published values
-//! None retrieved.
+//! No published value came with the transcription: settings follow the formula, the margins are computed.
 //!
 //! # Reference
-//! Grimholt, Skogestad (2018), Optimal PI and PID control of first-order plus delay processes and evaluation
-//! of the original and improved SIMC rules, J. Process Control 70, 36-46.
+//! Grimholt, Skogestad (2018), Optimal PI and PID control of first-order plus delay processes and evaluation of the
+//! original and improved SIMC rules, J. Process Control 70, 36-46.
 
 use crate::tuning::{
     Applies, Default, Entry, Form, Parameter, Property, Provenance, Status, Unit, by_formula,
@@ -31,10 +31,11 @@ use crate::tuning::{
 /// The rule.
 pub(in crate::tuning) static ENTRY: Entry = Entry {
     id: "pid-isimc",
-    name: "Improved SIMC PID on IPDT (series, Td=d/3)",
+    name: "Improved SIMC PID, integrating",
     authors: "Grimholt, Skogestad",
     year: 2018,
-    citation: "Optimal PI and PID control of first-order plus delay processes and evaluation of the original and improved SIMC rules, J. Process Control 70, 36-46",
+    citation: "Optimal PI and PID control of first-order plus delay processes and evaluation of the original \
+               and improved SIMC rules, J. Process Control 70, 36-46",
     structure: "PID",
     process: Applies::Integrating,
     form: Form::Series,
@@ -44,15 +45,16 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
         Default::Formula("d/2"),
         "closed-loop time constant",
     )
-    .range("> 0")
     .advised(">= d/2")
     .asks(Property::ClosedLoopTimeConstant)],
     formula: &[("Kc", "1/(K*(tau_c + d))"), ("Ti", "4*(tau_c + d)"), ("Td", "d/3")],
-    when: "SIMC with derivative action against the dead time, for a series controller.",
-    limits: "The derivative is unfiltered in the source. tau_c below d/2 is less robust than the authors recommend.",
+    when: "SIMC with derivative action, the everyday PID: as robust as pi-simc, with 9/16 of its integral \
+           error after a load.",
+    limits: "At the default the sensitivity peak is 1.73 and the gain margin 2.58; at tau_c = d 1.46 and 3.47. \
+             Series form. The derivative is unfiltered in the source.",
     validity: &[],
     provenance: Provenance::Retrieved,
-    source: "public code on GitHub (pidtools 'Metody', sections SIMC, iSIMC, Lambda/IMC, averaging level)",
+    source: "public code on GitHub (pidtools \"Metody\", sections SIMC, iSIMC, Lambda/IMC, averaging level)",
     status: Status::Recommended,
     values: include_str!("../../../tests/rules/pid-isimc.toml"),
     law: by_formula,

@@ -1,59 +1,59 @@
-//! Kappa-tau PID Ms=1.4 at tau=1 (memory).
+//! Kappa-tau PID for sensitivity peak 1.4, coefficients from memory.
 //!
 //! # Applies to
 //! The plain integrator with dead time.
 //!
 //! # Formula
-//! - `Kc = 5.6*exp(-8.8*tau + 6.8*tau^2)*tau/(K*d)`
-//! - `Ti = 1.1*d*exp(6.7*tau - 4.4*tau^2)`
-//! - `Td = 1.7*d*exp(-6.4*tau + 2.0*tau^2)`
+//! `tau = 1`, `Kc = 5.6*exp(-8.8*tau + 6.8*tau^2)/(K*d)`, `Ti = 1.1*d*exp(6.7*tau - 4.4*tau^2)`, `Td =
+//! 1.7*d*exp(-6.4*tau + 2*tau^2)`. tau = d/(d + T) is 1 on an integrator without lag.
 //!
 //! # Parameters
-//! `tau`, default 1.0: dead time over dead time plus lag (range > 0 and <= 1).
+//! None.
 //!
 //! # When
-//! Never.
+//! Not to be used: kept to show what is wrong with it. pid-amigo by the same authors really has sensitivity peak
+//! 1.4.
 //!
 //! # Limits
-//! The derivative is unfiltered in the source. From memory, and its stated sensitivity peak 1.4 does not come
-//! out at tau = 1: it is 2.24.
+//! The sensitivity peak is 2.24, not 1.4: the remembered coefficients do not belong to this rule, or not to tau =
+//! 1. Td comes out at 0.02 d, which is no derivative action.
 //!
 //! # Published values
-//! None retrieved.
+//! `sensitivity_peak` = 1.4 — DIFFERENCE, see the values file.
 //!
 //! # Reference
-//! Astrom, Hagglund (1995), PID Controllers (ISA 1995).
+//! Astrom, Hagglund (1995), PID Controllers: Theory, Design, and Tuning, ISA.
 
-use crate::tuning::{Applies, Default, Entry, Form, Parameter, Provenance, Status, Unit, by_formula};
+use crate::tuning::{Applies, Entry, Form, Provenance, Status, by_formula};
 
 /// The rule.
 pub(in crate::tuning) static ENTRY: Entry = Entry {
     id: "pid-kappatau-14",
-    name: "Kappa-tau PID Ms=1.4 at tau=1 (memory)",
+    name: "Kappa-tau PID for sensitivity peak 1.4, coefficients from memory",
     authors: "Astrom, Hagglund",
     year: 1995,
-    citation: "PID Controllers (ISA 1995)",
+    citation: "PID Controllers: Theory, Design, and Tuning, ISA",
     structure: "PID",
     process: Applies::Integrating,
     form: Form::Ideal,
-    parameters: &[Parameter::new(
-        "tau",
-        Unit::Ratio,
-        Default::Number(1.0),
-        "dead time over dead time plus lag",
-    )
-    .range("> 0 and <= 1")],
+    parameters: &[],
     formula: &[
-        ("Kc", "5.6*exp(-8.8*tau + 6.8*tau^2)*tau/(K*d)"),
+        ("tau", "1"),
+        ("Kc", "5.6*exp(-8.8*tau + 6.8*tau^2)/(K*d)"),
         ("Ti", "1.1*d*exp(6.7*tau - 4.4*tau^2)"),
-        ("Td", "1.7*d*exp(-6.4*tau + 2.0*tau^2)"),
+        ("Td", "1.7*d*exp(-6.4*tau + 2*tau^2)"),
     ],
-    when: "Never.",
-    limits: "The derivative is unfiltered in the source. From memory, and its stated sensitivity peak 1.4 does not come out at tau = 1: it is 2.24.",
+    when: "Not to be used: kept to show what is wrong with it. pid-amigo by the same authors really has \
+           sensitivity peak 1.4.",
+    limits: "The sensitivity peak is 2.24, not 1.4: the remembered coefficients do not belong to this rule, or \
+             not to tau = 1. Td comes out at 0.02 d, which is no derivative action.",
     validity: &[],
     provenance: Provenance::Memory,
-    source: "memory",
-    status: Status::Wrong("from memory, and its stated sensitivity peak 1.4 does not come out: it is 2.24"),
+    source: "memory: no source was read",
+    status: Status::Wrong(
+        "asked for a sensitivity peak of 1.4 it gives 2.24: the coefficients, which are from memory, cannot be \
+         right",
+    ),
     values: include_str!("../../../tests/rules/pid-kappatau-14.toml"),
     law: by_formula,
 };

@@ -18,7 +18,8 @@
 //! Checked stable for beta from 1 to 20. The derivative is unfiltered in the source.
 //!
 //! # Published values
-//! `Kc*K*d*(0.7138*beta + 0.3904)` = 1.0000.
+//! `Kc*K*d*(0.7138*beta + 0.3904)` = 1.0000; `damping_ratio` = 0.707 — DIFFERENCE, see
+//! the values file.
 //!
 //! # Reference
 //! Wang, Cluett (1997), IEE Proc. Control Theory Appl. 144, 385-392.
