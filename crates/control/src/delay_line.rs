@@ -100,7 +100,7 @@ impl<T: Scalar, S: AsRef<[Segment<T>]> + AsMut<[Segment<T>]>> DelayLine<T, S> {
     #[must_use]
     pub fn area(&self) -> T {
         let mut area = T::ZERO;
-        for nth in 0..self.count {
+        for nth in 0..self.count.min(self.storage.as_ref().len()) {
             if let Some(segment) = self.storage.as_ref().get(self.place(nth)) {
                 area = area + segment.value * segment.duration;
             }

@@ -14,7 +14,11 @@ use crate::{DelayLine, Scalar, Segment, SettingError, Sum};
 /// the modified Smith predictor of Matausek and Micic (1996), with P action Kr = 1/(Km Tr) and K0 = Ko. With
 /// [`Observer::with_lead`] as well, D̂ = Ko (1 + Td s)/(1 + Tf s) (y − `y_m)`: the one of 1999.
 ///
-/// The model's gain and dead time may change while running: D̂ stays where it is.
+/// Sampled, the model is exact for a held drive, at any fraction of a sample; the lead is the backward difference,
+/// ((Td + h) z − Td)/((Tf + h) z − Tf). D̂ moves only with a new sample.
+///
+/// The model's gain and dead time may change while running: D̂ stays where it is (in a predictor without integral it
+/// takes up what the prediction moves, so that the output stays).
 ///
 /// ```
 /// use holdup_control::Observer;

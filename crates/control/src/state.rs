@@ -70,10 +70,13 @@ impl<T: Scalar, S: AsRef<[Segment<T>]> + AsMut<[Segment<T>]>> State<T, S> {
             Some(observer) => DelayLine::new(storage, observer.dead_time(), observer.sample_period())?,
             None => DelayLine::unused(storage),
         };
+        // Until a measurement tells more, the load is taken to be the one that this output balances.
+        let balanced = settings.law().pid.bias() - manipulated_variable;
+        let load_estimate = settings.law().observer.map_or(T::ZERO, |_| balanced);
         Ok(Self {
             law: *settings.law(),
             pid: PidState::default(),
-            observer: ObserverState::default(),
+            observer: ObserverState { load_estimate, ..ObserverState::default() },
             line,
             setpoint: T::ZERO,
             feed_forward: T::ZERO,
@@ -105,8 +108,7 @@ impl<T: Scalar, S: AsRef<[Segment<T>]> + AsMut<[Segment<T>]>> State<T, S> {
         state.pid.sample = Some(state.seen());
         if let Some(observer) = settings.law().observer {
             // At rest it is the load estimate that holds the output, not the integral.
-            let load_estimate = state.assistance() - state.manipulated_variable;
-            state.observer.start(&observer, controlled_variable, load_estimate);
+            state.observer.start(&observer, controlled_variable, state.observer.load_estimate);
         }
         state.seat(state.manipulated_variable);
         // A prediction at rest has nothing under way.

@@ -50,7 +50,7 @@ impl<T: Scalar> Watch<T> {
 
     /// The same with a stale time [s]: a measurement older than this is no measurement.
     ///
-    /// Also, when updates themselves were missing for longer than this, the law starts again from the output that
+    /// It must be longer than the sensor takes between two samples: otherwise the law never runs. Also, when updates themselves were missing for longer than this, the law starts again from the output that
     /// stood.
     ///
     /// # Errors

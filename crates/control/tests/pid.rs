@@ -113,6 +113,17 @@ fn the_bias_bleeds_in_a_straight_line_over_the_bleed_time() {
 }
 
 #[test]
+fn a_small_error_is_not_lost_in_f32() {
+    let settings = Settings::new(Pid::proportional(1.0_f32).unwrap().with_integral(10.0).unwrap());
+    let mut state = State::at_rest(&settings, [], 0.0, 0.0, 1000.0).unwrap();
+    for _ in 0..1_000_000 {
+        state.update(&settings, &Input::automatic(0.1, 0.001, 0.0));
+    }
+    // 1e6 · 0.1/10 · 0.001 = 10; each step, 1e-5, is a sixth of half the spacing of f32 at 1000.
+    assert!((state.manipulated_variable - 1010.0).abs() < 0.003, "{}", state.manipulated_variable);
+}
+
+#[test]
 fn feed_forward_goes_straight_to_the_output() {
     let settings = Settings::new(pid());
     let mut state = at_rest(&settings);

@@ -86,7 +86,7 @@ fn the_proposed_loop_reproduces_with_a_derivative_gain_of_1_0343() {
     let metrics = step(&proposed()).metrics;
     reproduces(metrics.ise, 9.887);
     reproduces(metrics.iae, 12.95);
-    rounds_to(metrics.control_energy, 78.22, 0.01);
+    reproduces(metrics.control_energy, 78.22);
     rounds_to(metrics.overshoot.map(|o| 100.0 * o), 0.19, 0.01);
     let metrics = both(&observed()).metrics;
     reproduces(metrics.ise, 12.69);
@@ -161,11 +161,4 @@ fn overshoot_and_settling_time_are_close_to_the_printed_ones() {
         let computed = metrics.settling_time.unwrap().0;
         assert!((computed / settling - 1.0).abs() < 0.04, "{computed} against {settling}");
     }
-}
-
-#[test]
-fn settling_time_is_not_monotone_in_the_specification() {
-    // Findings, item 4: PD (Kc, Td) of equations 9, 12 and 13 for T_s = 40/50/60/70 s, computed there.
-    let metrics = step(&proposed()).metrics;
-    assert!(metrics.settling_time.unwrap().0 < 40.0);
 }

@@ -26,6 +26,7 @@ macro_rules! laws {
                 bumpless::a_return_of_the_measurement_does_not_move_the_output
                 precision::f32_is_close_to_f64
                 precision::a_constant_measurement_at_the_setpoint_moves_nothing
+                precision::a_constant_measurement_brings_the_state_back_to_itself
                 precision::a_restored_state_continues_bit_for_bit
                 precision::other_units_give_the_same_answer
                 arbitrary::any_input_gives_a_finite_output_within_the_limits

@@ -2,12 +2,21 @@
 
 pub mod closed_loop;
 pub mod controller;
+pub mod description;
 mod error;
+pub mod events;
+pub mod forms;
+pub mod loop_file;
+pub mod notation;
 pub mod process;
 pub mod quantity;
+pub mod settings;
+pub mod text;
+pub(crate) mod toml_section;
 
 pub use closed_loop::ClosedLoop;
 pub use controller::{Controller, DerivativeFilter, Observer, OutputFilter};
 pub use error::ModelError;
 pub use process::Process;
 pub use quantity::{Radians, Seconds};
+pub use text::TextError;

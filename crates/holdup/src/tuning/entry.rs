@@ -69,13 +69,29 @@ impl Entry {
     /// [`RuleError`] if the rule is for another kind of process, a parameter is unknown, given twice or out of
     /// its range, or no controller meets the specification.
     pub fn tune(&'static self, process: &Process, parameters: &Parameters) -> Result<Tuning, RuleError> {
-        if !self.process.admits(process) {
-            return Err(RuleError::DoesNotApply { rule: self.id, needs: self.process.description() });
-        }
-        let values = Values::new(self, process, parameters)?;
+        let values = self.values(process, parameters)?;
         let mut tuning = (self.law)(self, process, &values)?;
         tuning.warnings.extend(self.warnings(process, &values, &tuning));
         Ok(tuning)
+    }
+
+    /// Whether process and parameters are those of the rule, without computing the controller.
+    ///
+    /// # Errors
+    /// [`RuleError`] as [`Entry::tune`] for what can be seen before.
+    pub fn check(&'static self, process: &Process, parameters: &Parameters) -> Result<(), RuleError> {
+        self.values(process, parameters).map(|_| ())
+    }
+
+    fn values<'a>(
+        &'static self,
+        process: &'a Process,
+        parameters: &'a Parameters,
+    ) -> Result<Values<'a>, RuleError> {
+        if !self.process.admits(process) {
+            return Err(RuleError::DoesNotApply { rule: self.id, needs: self.process.description() });
+        }
+        Values::new(self, process, parameters)
     }
 
     /// Whether the rule is for this kind of process.

@@ -68,3 +68,40 @@ impl Envelope {
         }
     }
 }
+
+/// From which frequency on L turns clockwise only.
+#[derive(Debug, Clone)]
+pub(super) struct Steady<'a> {
+    characteristic: &'a Characteristic,
+}
+
+impl<'a> Steady<'a> {
+    pub(super) fn new(characteristic: &'a Characteristic) -> Self {
+        Self { characteristic }
+    }
+
+    /// Whether arg L is proven to fall strictly on [from, ∞).
+    ///
+    /// With `N = n₁·e^(−τ₁s)·(1 + ε)` and |ε| ≤ 1/8 the rate is at most `−τ₁ + |n₁'/n₁| + |D'/D| + |ε'|·8/7`.
+    pub(super) fn beyond(&self, from: f64) -> bool {
+        let Characteristic { numerator, denominator, .. } = self.characteristic;
+        let [(_, denominator)] = denominator.terms() else { return false };
+        let Some(((shortest, first), rest)) = numerator.terms().split_first() else { return false };
+        if from < 1.0 {
+            return false;
+        }
+        let Some(outer) = denominator.logarithmic_bound(from) else { return false };
+        let Some(inner) = first.logarithmic_bound(from) else { return false };
+        let mut rate = -shortest + (inner + outer) / from;
+        let mut share = Polynomial::ZERO.plus(&first.squared_magnitude(), 1.0 / 64.0);
+        #[expect(clippy::cast_precision_loss, reason = "at most 16 terms")]
+        let terms = rest.len() as f64;
+        for (delay, p) in rest {
+            let Some(own) = p.logarithmic_bound(from) else { return false };
+            rate += (8.0 / 7.0) * 0.125 * ((inner + own) / from + (delay - shortest));
+            // (Σ|aₗ|)² ≤ m·Σ|aₗ|²
+            share = share.plus(&p.squared_magnitude(), -terms);
+        }
+        rate < 0.0 && (rest.is_empty() || share.positive_beyond(from * from))
+    }
+}

@@ -59,9 +59,17 @@ impl Functions {
     pub(super) fn at(&self, omega: f64) -> Point {
         let numerator = self.numerator.on_axis(omega);
         let denominator = self.denominator.on_axis(omega);
-        let reduced = if self.order_at_zero == 0 { denominator } else { self.reduced.on_axis(omega) };
         let delayed = rotated(numerator, self.shortest_delay, omega);
         let closed = std::array::from_fn(|i| delayed[i] + denominator[i]);
+        Point { omega, numerator, denominator, closed, direction: self.direction_of(delayed, omega) }
+    }
+
+    /// L·|D|²/ωᵏ alone.
+    pub(super) fn direction(&self, omega: f64) -> Jet {
+        self.direction_of(rotated(self.numerator.on_axis(omega), self.shortest_delay, omega), omega)
+    }
+
+    fn direction_of(&self, delayed: Jet, omega: f64) -> Jet {
         let turn = |z: Complex<f64>| match self.order_at_zero % 4 {
             0 => z,
             1 => Complex::new(z.im, -z.re),
@@ -69,8 +77,7 @@ impl Functions {
             _ => Complex::new(-z.im, z.re),
         };
         // 1/(jω)ᵏ = (−j)ᵏ/ωᵏ, and 1/D̃ = conj D̃/|D̃|².
-        let direction = product(delayed, reduced).map(turn);
-        Point { omega, numerator, denominator, closed, direction }
+        product(delayed, self.reduced.on_axis(omega)).map(turn)
     }
 
     pub(super) fn bounds(&self, omega: f64) -> Bounds {

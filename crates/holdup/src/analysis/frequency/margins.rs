@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use serde::ser::{Serialize, SerializeStruct, Serializer};
 
 use super::characteristic::Characteristic;
-use super::envelope::Envelope;
+use super::envelope::{Envelope, Steady};
 use super::error::FrequencyError;
 use super::functions::Functions;
 use super::scan::{Findings, LISTED, Scan};
@@ -78,7 +78,8 @@ pub fn margins(closed_loop: &ClosedLoop) -> Result<Margins, FrequencyError> {
     let unstable_poles = winding::unstable_poles(&characteristic, &envelope);
     let stable = unstable_poles == Some(0);
     let limit = characteristic.high_frequency_gain;
-    let found = Scan::new(&functions, &envelope, limit, stable).run();
+    let steady = Steady::new(&characteristic);
+    let found = Scan::new(&functions, &envelope, &steady, limit, stable).run();
     Ok(assemble(&characteristic, &functions, &found, unstable_poles))
 }
 

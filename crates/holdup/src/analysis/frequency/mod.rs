@@ -8,11 +8,15 @@ mod envelope;
 mod error;
 mod functions;
 mod margins;
+mod poles;
 mod polynomial;
 mod quasi_polynomial;
 mod scan;
 mod taylor;
+mod transfer;
 mod winding;
 
 pub use error::FrequencyError;
 pub use margins::{Margins, margins};
+pub use poles::{Pole, dominant_poles};
+pub use transfer::{FrequencyPoint, LoopTransfer, loop_without_observer, observer_loop};

@@ -116,6 +116,25 @@ impl Polynomial {
         square
     }
 
+    /// A constant C such that `|dp/ds| ≤ C/ω·|p|` is proven at s = jω for every ω ≥ `from`.
+    pub(super) fn logarithmic_bound(&self, from: f64) -> Option<f64> {
+        let degree = self.length.saturating_sub(1);
+        #[expect(clippy::cast_precision_loss, reason = "at most 31")]
+        let bound = 1.2 * degree as f64;
+        if self.is_zero() || degree == 0 {
+            return (!self.is_zero()).then_some(0.0);
+        }
+        // Zeros on the real axis are at least ω away from jω: C = degree. The proof covers the others.
+        let mut steepness = Self::ZERO; // s·dp/ds
+        for (power, &c) in self.coefficients().iter().enumerate() {
+            #[expect(clippy::cast_precision_loss, reason = "at most 31")]
+            steepness.add_to(power, power as f64 * c);
+        }
+        let excess = Self::ZERO.plus(&self.squared_magnitude(), bound * bound);
+        let excess = excess.plus(&steepness.squared_magnitude(), -1.0);
+        excess.positive_beyond(from * from).then_some(bound)
+    }
+
     /// The polynomial `p(x + shift)`.
     pub(super) fn shifted(mut self, shift: f64) -> Self {
         let n = self.length;

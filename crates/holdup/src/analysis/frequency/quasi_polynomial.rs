@@ -51,6 +51,14 @@ impl QuasiPolynomial {
         Self { terms: self.terms.iter().map(|&(delay, p)| (delay - by, p)).collect() }
     }
 
+    /// The quasi-polynomial in `s − by`: its zeros lie by that much farther to the right.
+    pub(super) fn shifted(&self, by: f64) -> Self {
+        let term = |&(delay, p): &(f64, Polynomial)| {
+            (delay, Polynomial::ZERO.plus(&p.shifted(-by), (delay * by).exp()))
+        };
+        Self { terms: self.terms.iter().map(term).collect() }
+    }
+
     /// How often s divides every polynomial.
     pub(super) fn order_at_zero(&self) -> usize {
         self.terms.iter().map(|(_, p)| p.order_at_zero()).min().unwrap_or(0)

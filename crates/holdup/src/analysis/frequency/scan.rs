@@ -4,7 +4,9 @@
 //! zero there, or exactly one (which is then polished), or stays below the peak already found. Wide bands are
 //! settled by the [`Envelope`], narrow ones by Taylor polynomials with a bound of their rest.
 
-use super::envelope::Envelope;
+use std::f64::consts::TAU;
+
+use super::envelope::{Envelope, Steady};
 use super::functions::{Bounds, Functions, Peak, Point};
 use super::taylor::{Quadratic, Zeros, zeros};
 
@@ -58,13 +60,20 @@ pub(super) struct Findings {
 pub(super) struct Scan<'a> {
     functions: &'a Functions,
     envelope: &'a Envelope,
+    steady: &'a Steady<'a>,
     stable: bool,
     found: Findings,
     work: usize,
 }
 
 impl<'a> Scan<'a> {
-    pub(super) fn new(functions: &'a Functions, envelope: &'a Envelope, limit: f64, stable: bool) -> Self {
+    pub(super) fn new(
+        functions: &'a Functions,
+        envelope: &'a Envelope,
+        steady: &'a Steady<'a>,
+        limit: f64,
+        stable: bool,
+    ) -> Self {
         // At ω → 0 the integrator makes S = 0 and T = 1; at ω → ∞ |L| is at most `limit`, its supremum.
         let at_infinity = |numerator: f64| if limit < 1.0 { numerator / (1.0 - limit) } else { 1.0 };
         let found = Findings {
@@ -76,7 +85,7 @@ impl<'a> Scan<'a> {
             complementary: Highest { value: at_infinity(limit), omega: None },
             unfinished_from: None,
         };
-        let mut scan = Self { functions, envelope, stable, found, work: 0 };
+        let mut scan = Self { functions, envelope, steady, stable, found, work: 0 };
         let origin = functions.at(0.0).peak_value(Peak::Complementary);
         if origin >= scan.found.complementary.value {
             scan.found.complementary = Highest { value: origin, omega: Some(0.0) };
@@ -89,6 +98,9 @@ impl<'a> Scan<'a> {
         let (mut from, mut to) = (0.0, 1.0);
         loop {
             let all = Open { gain: true, phase: true, sensitivity: self.stable, complementary: self.stable };
+            if self.found.phase_crossovers.len() < LISTED && self.steady.beyond(from) {
+                self.list_steady_crossovers(from);
+            }
             let open = self.open_by_envelope(all, from, f64::INFINITY);
             if !open.any() {
                 break;
@@ -234,6 +246,38 @@ impl<'a> Scan<'a> {
         }
     }
 
+    /// Fills the list of phase crossovers where L is proven to turn one way from `from` on: each turn has one.
+    fn list_steady_crossovers(&mut self, from: f64) {
+        let functions = self.functions;
+        // Angle still to go until L points at −1, and the rate at which L turns towards it.
+        let turn = |omega: f64| {
+            let direction = functions.direction(omega);
+            let rate = -(direction[1] / direction[0]).im;
+            ((-direction[0]).arg(), rate)
+        };
+        let (angle, rate) = turn(from);
+        let mut omega = from + angle.rem_euclid(TAU) / rate;
+        let mut step = TAU / rate;
+        let mut last = None;
+        for _ in 0..LISTED {
+            for _ in 0..20 {
+                let (angle, rate) = turn(omega);
+                omega += angle / rate;
+                if (angle / rate).abs() <= 1e-9 * omega {
+                    break;
+                }
+            }
+            if !omega.is_finite() || self.found.phase_crossovers.len() >= LISTED {
+                return;
+            }
+            self.phase_crossover(omega);
+            // The turns become equal as the frequency rises: the last one foretells the next.
+            step = last.map_or(step, |last| omega - last);
+            last = Some(omega);
+            omega += step;
+        }
+    }
+
     fn phase_crossover(&mut self, omega: f64) {
         let point = self.functions.at(omega);
         if point.direction[0].re >= 0.0 {
@@ -260,10 +304,35 @@ impl<'a> Scan<'a> {
 
     fn offer(&mut self, peak: Peak, point: &Point) {
         let value = point.peak_value(peak);
-        let highest = self.highest(peak);
-        if value > highest.value {
-            *highest = Highest { value, omega: Some(point.omega) };
+        if value > self.highest(peak).value * (1.0 + PEAK_TOLERANCE) {
+            *self.highest(peak) = self.climb(peak, point);
         }
+    }
+
+    /// The local maximum uphill of a point: the higher the peak known, the less is left to prove.
+    fn climb(&self, peak: Peak, from: &Point) -> Highest {
+        let mut best = *from;
+        let mut value = best.peak_value(peak);
+        let mut reach = (0.3 * from.omega).min(0.5);
+        for _ in 0..40 {
+            let (first, second) = best.logarithmic(peak);
+            let uphill = reach.copysign(first);
+            let newton = -first / second;
+            let step = if second < 0.0 && newton.abs() <= reach { newton } else { uphill };
+            let next = self.functions.at((best.omega + step).max(0.0));
+            let higher = next.peak_value(peak);
+            if higher > value {
+                value = higher;
+                best = next;
+            } else {
+                // Beyond the maximum, or at it to rounding.
+                reach = 0.25 * step.abs();
+            }
+            if step.abs() <= 1e-9 * best.omega || reach <= 1e-9 * best.omega {
+                break;
+            }
+        }
+        Highest { value, omega: Some(best.omega) }
     }
 
     /// Whether the peak is proven to be no higher on [middle − radius, middle + radius] than the highest found;

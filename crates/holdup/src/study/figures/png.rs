@@ -158,7 +158,7 @@ fn outline(face: &Face<'_>, text: &Text) -> Option<Path> {
         Anchor::End => -width,
     };
     let mut outline = Outline { path: PathBuilder::new(), x: 0.0, y: 0.0 };
-    let mut base = None;
+    let mut base: Option<(f32, f32)> = None;
     for c in text.words.chars() {
         (outline.x, outline.y) = (pen, 0.0);
         match (('\u{300}'..='\u{30c}').contains(&c), base, face.glyph_bounding_box(glyph(c))) {

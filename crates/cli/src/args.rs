@@ -1,0 +1,198 @@
+//! What the command line accepts. Values are read by the library, so that a fault names option, value and
+//! what is allowed.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand};
+
+/// Design, prove and simulate control loops of integrating processes with dead time, exactly.
+#[derive(Debug, Parser)]
+#[command(
+    name = "holdup",
+    version,
+    max_term_width = 100,
+    after_help = "\
+Example:
+  holdup analyse -p K=0.0506,d=6 -c Kc=1.5321,Td=1.0343
+
+Exit status: 0 success, 1 a --require that the result does not meet, 2 bad input."
+)]
+pub(crate) struct Cli {
+    /// What to do.
+    #[command(subcommand)]
+    pub(crate) command: Command,
+    /// How to answer.
+    #[command(flatten)]
+    pub(crate) answer: AnswerArgs,
+}
+
+/// How to answer, the same for every command.
+#[derive(Debug, Args)]
+pub(crate) struct AnswerArgs {
+    /// Write the result as JSON, and nothing else, to standard output
+    #[arg(long, global = true)]
+    pub(crate) json: bool,
+    /// Exit with status 1 unless the result meets this, e.g. 'gain_margin>=2'; repeatable. NAME is a field of
+    /// the --json result: its name where that is unique, or a dotted path
+    #[arg(long, global = true, value_name = "NAME>=VALUE")]
+    pub(crate) require: Vec<String>,
+}
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// List the tuning rules, or show the page of one
+    #[command(after_help = "Examples:\n  holdup rules\n  holdup rules pd-kadam")]
+    Rules(RulesArgs),
+    /// Tune a controller by one rule, or by all that apply, ranked
+    #[command(after_help = "\
+Examples:
+  holdup tune -p K=0.0506,d=6 --rule pid-wang-cluett-z1 --set beta=3
+  holdup tune -p K=0.0506,d=6 --rule pd-exact --set Am=3 --set phi_m=65deg
+  holdup tune -p K=0.0506,d=6")]
+    Tune(TuneArgs),
+    /// Prove a loop stable or not, and give its exact margins
+    #[command(after_help = "\
+Examples:
+  holdup analyse -p K=0.0506,d=6 -c Kc=2.95,Ti=15,Td=3,N=100
+  holdup analyse -p K=0.0506,d=6 -c Kc=1.5321,Td=1.0343,Ko=1.5321 --require 'gain_margin>=2'
+  holdup analyse loop.toml --json")]
+    Analyse(LoopArgs),
+    /// Simulate a loop exactly
+    #[command(after_help = "\
+Examples:
+  holdup simulate -p K=0.0506,d=6 -c Kc=2.95,Ti=15,Td=3,N=100 --setpoint 0:1 --load 100:1 --horizon 300
+  holdup simulate -p K=0.0506,d=6 -c Kc=1.5321,Td=1.0343,N=100 --csv step.csv --plot step.svg")]
+    Simulate(SimulateArgs),
+    /// Compare several controllers on several scenarios, from a study file
+    #[command(after_help = "\
+Example:
+  holdup compare studies/kadam-2017.toml --report kadam-2017.html")]
+    Compare(CompareArgs),
+    /// Recompute every number that a paper prints, and judge each
+    #[command(after_help = "Example:\n  holdup reproduce kadam-2017")]
+    Reproduce(ReproduceArgs),
+    /// Write the completion script of a shell to standard output
+    #[command(
+        after_help = "Example:\n  holdup completions bash > ~/.local/share/bash-completion/completions/holdup"
+    )]
+    Completions(CompletionsArgs),
+    /// Write the manual page to standard output
+    #[command(after_help = "Example:\n  holdup man > holdup.1 && man ./holdup.1")]
+    Man,
+}
+
+/// The loop: compact strings or a file.
+#[derive(Debug, Args)]
+pub(crate) struct LoopArgs {
+    /// The loop as a file, instead of -p and -c
+    #[arg(value_name = "LOOP.toml")]
+    pub(crate) file: Option<PathBuf>,
+    /// The process: K=…,d=…[,T=…][,integrators=2]; times take ms, s, min, h, gains /s, /min, /h
+    #[arg(short, long, value_name = "K=…,d=…")]
+    pub(crate) process: Option<String>,
+    /// The controller: Kc=…[,Ti=…][,Td=…][,N=…|,Tf=…][,Ko=…[,Km=…][,dm=…]][,b=…][,c=…][,form=series|parallel]
+    #[arg(short, long, value_name = "Kc=…,Ti=…")]
+    pub(crate) controller: Option<String>,
+    /// The loop as a file, instead of -p and -c
+    #[arg(long = "loop", value_name = "LOOP.toml")]
+    pub(crate) loop_file: Option<PathBuf>,
+}
+
+/// What happens to the loop.
+#[derive(Debug, Args)]
+pub(crate) struct ScenarioArgs {
+    /// Setpoint, time:value,…; 0 before the first. A step to 1 at 0 where neither setpoint nor load is given
+    #[arg(long, value_name = "0:1,100:3", allow_hyphen_values = true)]
+    pub(crate) setpoint: Option<String>,
+    /// Load disturbance at the process input, time:value,…
+    #[arg(long, value_name = "100:1", allow_hyphen_values = true)]
+    pub(crate) load: Option<String>,
+    /// End of the simulation and of the integrals; when absent, 50 dead times after the last event
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    pub(crate) horizon: Option<String>,
+    /// The output at rest before the first event; when absent, 0
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    pub(crate) initial: Option<String>,
+}
+
+/// `holdup rules`.
+#[derive(Debug, Args)]
+pub(crate) struct RulesArgs {
+    /// Identifier of the rule to show
+    #[arg(value_name = "ID")]
+    pub(crate) id: Option<String>,
+}
+
+/// `holdup tune`.
+#[derive(Debug, Args)]
+pub(crate) struct TuneArgs {
+    /// The process: K=…,d=…[,T=…][,integrators=2]
+    #[arg(short, long, value_name = "K=…,d=…")]
+    pub(crate) process: Option<String>,
+    /// Identifier of the rule (see 'holdup rules'); all that apply when absent
+    #[arg(long, value_name = "ID")]
+    pub(crate) rule: Option<String>,
+    /// Set a parameter of the rule; repeatable
+    #[arg(long, value_name = "NAME=VALUE", requires = "rule")]
+    pub(crate) set: Vec<String>,
+}
+
+/// `holdup simulate`.
+#[derive(Debug, Args)]
+pub(crate) struct SimulateArgs {
+    /// The loop.
+    #[command(flatten)]
+    pub(crate) of: LoopArgs,
+    /// The scenario.
+    #[command(flatten)]
+    pub(crate) scenario: ScenarioArgs,
+    /// Write t, setpoint, controlled_variable, manipulated_variable, load, load_estimate as CSV
+    #[arg(long, value_name = "FILE.csv")]
+    pub(crate) csv: Option<PathBuf>,
+    /// Draw the response; .svg, .png or .html
+    #[arg(long, value_name = "FILE.svg")]
+    pub(crate) plot: Option<PathBuf>,
+    /// Number of times in --csv and --plot, from 0 to the horizon [default: 2001]
+    #[arg(long, value_name = "COUNT", allow_hyphen_values = true, conflicts_with = "step")]
+    pub(crate) points: Option<String>,
+    /// Distance of the times in --csv and --plot, instead of their number
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    pub(crate) step: Option<String>,
+}
+
+/// `holdup compare`.
+#[derive(Debug, Args)]
+pub(crate) struct CompareArgs {
+    /// The study file
+    #[arg(value_name = "STUDY.toml")]
+    pub(crate) study: PathBuf,
+    /// Write one self-contained page with every figure and table
+    #[arg(long, value_name = "FILE.html")]
+    pub(crate) report: Option<PathBuf>,
+    /// Write one line per scenario, controller and metric as CSV
+    #[arg(long, value_name = "FILE.csv")]
+    pub(crate) csv: Option<PathBuf>,
+    /// Draw the responses of one scenario; .svg, .png or .html
+    #[arg(long, value_name = "FILE.svg")]
+    pub(crate) plot: Option<PathBuf>,
+    /// The scenario that --plot draws; the first when absent
+    #[arg(long, value_name = "NAME", requires = "plot")]
+    pub(crate) scenario: Option<String>,
+}
+
+/// `holdup reproduce`.
+#[derive(Debug, Args)]
+pub(crate) struct ReproduceArgs {
+    /// The paper
+    #[arg(value_name = "PAPER")]
+    pub(crate) paper: String,
+}
+
+/// `holdup completions`.
+#[derive(Debug, Args)]
+pub(crate) struct CompletionsArgs {
+    /// The shell
+    #[arg(value_enum, value_name = "SHELL")]
+    pub(crate) shell: clap_complete::Shell,
+}

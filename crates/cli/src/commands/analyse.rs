@@ -1,0 +1,83 @@
+//! `holdup analyse`: stability and exact margins.
+
+use holdup::analysis::frequency::{Margins, dominant_poles, loop_without_observer, margins, observer_loop};
+use holdup::model::{ClosedLoop, Controller, Process};
+use serde_json::{Value, json};
+
+use super::view::{controller_line, margins_table, process_line};
+use crate::args::LoopArgs;
+use crate::console::{Answer, Console};
+use crate::fault::Fault;
+use crate::input::closed_loop;
+use crate::table::number;
+
+/// Analyses the loop; one with an observer also in its parts.
+pub(crate) fn run(args: &LoopArgs, console: Console) -> Result<Answer, Fault> {
+    let (process, controller) = closed_loop(args)?;
+    let closed = ClosedLoop::new(&process, &controller);
+    let whole = margins(&closed).map_err(Fault::input)?;
+    let parts = Parts::of(&process, &controller)?;
+    let poles = dominant_poles(&closed).map_err(Fault::input)?;
+    let mut warnings = whole.warnings.clone();
+    let noise_gain = controller.noise_gain();
+    if noise_gain.is_none() {
+        warnings.push("The noise gain is infinite: the derivative action is not filtered.".to_owned());
+    }
+    let json = json!({
+        "stable": whole.stable,
+        "margins": &whole,
+        "dominant_poles": poles.iter().map(|pole| json!({"re": pole.re, "im": pole.im})).collect::<Vec<_>>(),
+        "noise_gain": noise_gain,
+        "loops": parts.as_ref().map_or(Value::Null, Parts::json),
+        "warnings": warnings,
+    });
+    let mut text = String::new();
+    if !console.json {
+        let verdict = if whole.stable { "Stable" } else { "Unstable" };
+        text =
+            format!("{verdict}: {}\n        on {}\n\n", controller_line(&controller), process_line(&process));
+        let mut columns: Vec<(&str, &Margins)> = parts.iter().flat_map(Parts::columns).collect();
+        columns.push((if columns.is_empty() { "loop" } else { "whole loop" }, &whole));
+        text += &margins_table(console, &columns);
+        let poles: Vec<String> = poles.iter().map(|pole| root(pole.re, pole.im)).collect();
+        text += &format!(
+            " dominant poles [1/s]  {}\n",
+            if poles.is_empty() { "–".to_owned() } else { poles.join(", ") }
+        );
+        text += &format!(" noise gain            {}\n", noise_gain.map_or_else(|| "∞".to_owned(), number));
+    }
+    Ok(Answer { json, text, warnings, ..Answer::default() })
+}
+
+/// A pole for reading.
+fn root(re: f64, im: f64) -> String {
+    if im == 0.0 { number(re) } else { format!("{} ± {}j", number(re), number(im.abs())) }
+}
+
+/// The loops that a loop with an observer is made of.
+struct Parts {
+    /// The loop without its observer.
+    controller: Margins,
+    /// The observer's own loop on its model: with a perfect model the sensitivity of the whole is the product of
+    /// the two.
+    observer: Margins,
+}
+
+impl Parts {
+    fn of(process: &Process, controller: &Controller) -> Result<Option<Self>, Fault> {
+        let of = |part: &ClosedLoop| margins(part).map_err(Fault::input);
+        let Some(observer) = observer_loop(process, controller).map_err(Fault::input)? else {
+            return Ok(None);
+        };
+        let controller = of(&loop_without_observer(process, controller))?;
+        Ok(Some(Self { controller, observer: of(&observer)? }))
+    }
+
+    fn columns(&self) -> Vec<(&'static str, &Margins)> {
+        vec![("without observer", &self.controller), ("observer loop", &self.observer)]
+    }
+
+    fn json(&self) -> Value {
+        json!({"without_observer": &self.controller, "observer": &self.observer})
+    }
+}

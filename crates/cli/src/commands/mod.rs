@@ -1,0 +1,29 @@
+//! What each command does: one file each.
+
+mod analyse;
+mod compare;
+mod completions;
+mod man;
+mod reproduce;
+mod rules;
+mod simulate;
+mod tune;
+mod view;
+
+use crate::args::Command;
+use crate::console::{Answer, Console};
+use crate::fault::Fault;
+
+/// Runs a command.
+pub(crate) fn run(command: &Command, console: Console) -> Result<Answer, Fault> {
+    match command {
+        Command::Rules(args) => rules::run(args, console),
+        Command::Tune(args) => tune::run(args, console),
+        Command::Analyse(args) => analyse::run(args, console),
+        Command::Simulate(args) => simulate::run(args, console),
+        Command::Compare(args) => compare::run(args, console),
+        Command::Reproduce(args) => reproduce::run(args, console),
+        Command::Completions(args) => completions::run(args),
+        Command::Man => man::run(),
+    }
+}

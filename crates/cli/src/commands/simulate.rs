@@ -1,0 +1,166 @@
+//! `holdup simulate`: one loop on one scenario.
+
+use holdup::analysis::bounds::Bounds;
+use holdup::analysis::response::{Scenario, Trajectory, plot_times, simulate, trajectory};
+use holdup::model::quantity::{read_number, read_time};
+use holdup::model::{ClosedLoop, Controller};
+use holdup::study::PercentOfBest;
+use holdup::study::figures::terminal;
+use serde_json::json;
+
+use super::view::{METRICS, check_kind, controller_line, figure_file, process_line, response_figure};
+use crate::args::SimulateArgs;
+use crate::console::{Answer, Console};
+use crate::fault::Fault;
+use crate::input::{closed_loop, scenario};
+use crate::table::{number, table};
+
+/// Times in a file, where their number is not given.
+const POINTS: usize = 2001;
+
+/// The greatest number of times in a file.
+const GREATEST: f64 = 10_000_000.0;
+
+/// Simulates the loop.
+pub(crate) fn run(args: &SimulateArgs, console: Console) -> Result<Answer, Fault> {
+    let (process, controller) = closed_loop(&args.of)?;
+    let scenario = scenario(&args.scenario, &process)?;
+    args.plot.as_deref().map_or(Ok(()), check_kind)?;
+    let times = times(args, scenario.horizon())?;
+    let closed = ClosedLoop::new(&process, &controller);
+    let response = simulate(&closed, &scenario).map_err(Fault::input)?;
+    let bounds = Bounds::of(&process, &scenario);
+    let percent_of_best = PercentOfBest::of(&response.metrics, &bounds);
+    let mut warnings = response.warnings.clone();
+    warnings.extend(bounds.reasons.iter().cloned());
+    let json = json!({
+        "metrics": response.metrics,
+        "bounds": bounds,
+        "percent_of_best": percent_of_best,
+        "final": {
+            "controlled_variable": response.final_controlled_variable,
+            "manipulated_variable": response.final_manipulated_variable,
+        },
+        "overflow_at_s": response.overflow_at.map(|time| time.0),
+        "horizon_s": scenario.horizon(),
+        "warnings": warnings,
+    });
+    let draw = |times: &[f64]| trajectory(&closed, &scenario, times).map_err(Fault::input);
+    let mut files = Vec::new();
+    if args.csv.is_some() || args.plot.is_some() {
+        if let Some(path) = &args.csv {
+            files.push((path.clone(), csv(&draw(&times)?)));
+        }
+        if let Some(path) = &args.plot {
+            let times = if args.points.is_some() || args.step.is_some() {
+                times
+            } else {
+                plot_times(&closed, &scenario, POINTS)
+            };
+            let figure = figure(&controller, &scenario, draw(&times)?)?;
+            files.push((path.clone(), figure_file(path, &figure)?));
+        }
+    }
+    let mut text = String::new();
+    if !console.json {
+        text = format!(
+            "{}\non {}, to {} s\n\n",
+            controller_line(&controller),
+            process_line(&process),
+            number(scenario.horizon())
+        );
+        let rows = METRICS.iter().map(|(name, pick)| {
+            let (bound, percent) = match *name {
+                "IAE" => (bounds.iae, percent_of_best.iae),
+                "ISE" => (bounds.ise, percent_of_best.ise),
+                "ITAE" => (bounds.itae, percent_of_best.itae),
+                "peak" => (bounds.peak, percent_of_best.peak),
+                _ => (None, None),
+            };
+            vec![(*name).to_owned(), pick(&response.metrics), number(bound), number(percent)]
+        });
+        text += &table(
+            console,
+            &["", "this loop", "no controller beats", "% of best possible"],
+            &rows.collect::<Vec<_>>(),
+        );
+        text += &format!(
+            " at the end: y = {}, u = {}\n\n",
+            number(response.final_controlled_variable),
+            number(response.final_manipulated_variable)
+        );
+        let seen = plot_times(&closed, &scenario, 4 * console.width);
+        text +=
+            &terminal::chart(&figure(&controller, &scenario, draw(&seen)?)?, console.width, console.colour);
+    }
+    // Why a bound is absent is said in the JSON; on standard error only what concerns the run.
+    Ok(Answer { json, text, warnings: response.warnings, files })
+}
+
+fn figure(
+    controller: &Controller,
+    scenario: &Scenario,
+    run: Trajectory,
+) -> Result<holdup::study::figures::Figure, Fault> {
+    let runs = [(controller.structure().to_owned(), run)];
+    response_figure(&controller_line(controller), scenario, &runs, true).map_err(Fault::input)
+}
+
+/// The times of `--points` or `--step`.
+fn times(args: &SimulateArgs, horizon: f64) -> Result<Vec<f64>, Fault> {
+    if let Some(text) = &args.step {
+        let step = read_time("--step", text).map_err(Fault::input)?;
+        if !(step > 0.0 && step <= horizon && horizon / step < GREATEST) {
+            let allowed = format!(
+                "greater than 0, at most the horizon of {horizon} s, and give at most {GREATEST} times"
+            );
+            return Err(Fault::input(format!("--step is {text}: must be {allowed}")));
+        }
+        // The horizon itself is always the last time.
+        let mut times: Vec<f64> =
+            (0_u32..).map(|k| f64::from(k) * step).take_while(|t| *t < horizon).collect();
+        times.push(horizon);
+        return Ok(times);
+    }
+    let Some(text) = &args.points else { return Ok(evenly(0.0, horizon, POINTS)) };
+    let count = read_number("--points", text).map_err(Fault::input)?;
+    if !(2.0..=GREATEST).contains(&count) || count.fract() != 0.0 {
+        return Err(Fault::input(format!("--points is {text}: must be a whole number from 2 to {GREATEST}")));
+    }
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number in range")]
+    Ok(evenly(0.0, horizon, count as usize))
+}
+
+/// So many times from `start` to `end`, both included.
+fn evenly(start: f64, end: f64, count: usize) -> Vec<f64> {
+    let last = u32::try_from(count.max(2) - 1).unwrap_or(u32::MAX);
+    let between = |k: u32| start + (end - start) * (f64::from(k) / f64::from(last));
+    (0..=last).map(|k| if k == last { end } else { between(k) }).collect()
+}
+
+/// The trajectory as CSV; what is not a finite number is an empty cell.
+fn csv(run: &Trajectory) -> Vec<u8> {
+    let mut bytes = Vec::with_capacity(run.time.len() * 96 + 96);
+    bytes.extend_from_slice(b"t,setpoint,controlled_variable,manipulated_variable,load,load_estimate\n");
+    let mut buffer = zmij::Buffer::new();
+    for (index, &time) in run.time.iter().enumerate() {
+        let cells = [
+            Some(time),
+            run.setpoint.get(index).copied(),
+            run.controlled_variable.get(index).copied(),
+            run.manipulated_variable.get(index).copied(),
+            run.load.get(index).copied(),
+            run.load_estimate.as_ref().and_then(|estimate| estimate.get(index).copied()),
+        ];
+        for (column, cell) in cells.into_iter().enumerate() {
+            if column > 0 {
+                bytes.push(b',');
+            }
+            if let Some(value) = cell.filter(|value| value.is_finite()) {
+                bytes.extend_from_slice(buffer.format_finite(value).as_bytes());
+            }
+        }
+        bytes.push(b'\n');
+    }
+    bytes
+}
