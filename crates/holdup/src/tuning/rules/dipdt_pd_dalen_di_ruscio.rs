@@ -4,9 +4,9 @@
 //! The double integrator with dead time, `K·e^(−d·s)/s²`.
 //!
 //! # Formula
-//! `f = (1 + sqrt(1 + 4/c^2))/2`, `a = atan(c*sqrt(f))/sqrt(f)`, `Td = c/a*(delta + 1)*d`, `Kc = a/((delta +
-//! 1)*d)/(K*Td)`. With `c = K*Kc*Td^2` the gain crossover is `c*sqrt(f)/Td` and its phase margin `atan(c*sqrt(f))`
-//! less the dead time: the formula sets the delay margin to `delta*d` exactly.
+//! `f = (1 + sqrt(1 + 4/c^2))/2`, `a = atan(c*sqrt(f))/sqrt(f)`, `Td = c/a*(delta + 1)*d`,
+//! `Kc = a/((delta + 1)*d)/(K*Td)`. With `c = K*Kc*Td^2` the gain crossover is `c*sqrt(f)/Td` and its phase margin
+//! `atan(c*sqrt(f))` less the dead time: the formula sets the delay margin to `delta*d` exactly.
 //!
 //! # Parameters
 //! `delta`, default 1.6: delay margin over dead time.

@@ -4,9 +4,9 @@
 //! The integrator with lag T and dead time, `K·e^(−d·s)/(s·(T·s + 1))`.
 //!
 //! # Formula
-//! `R = sqrt(d^2 + 4*T^2)`, `Kc = exp(2*T/(R + d) - 1)/(K*(R + 2*T))`. The source prints the same as `(R -
-//! 2*T)/(K*d^2*exp((2*T + d - R)/(2*T)))`, which loses its digits where T is far from d; the two are equal because
-//! `R^2 = d^2 + 4*T^2`. Derived again here: the double root of `s*(1 + T*s)*exp(d*s) + K*Kc`.
+//! `R = sqrt(d^2 + 4*T^2)`, `Kc = exp(2*T/(R + d) - 1)/(K*(R + 2*T))`. The source prints the same as
+//! `(R - 2*T)/(K*d^2*exp((2*T + d - R)/(2*T)))`, which loses its digits where T is far from d; the two are equal
+//! because `R^2 = d^2 + 4*T^2`. Derived again here: the double root of `s*(1 + T*s)*exp(d*s) + K*Kc`.
 //!
 //! # Parameters
 //! None.

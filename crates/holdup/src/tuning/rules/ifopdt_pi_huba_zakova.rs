@@ -4,8 +4,8 @@
 //! The integrator with lag T and dead time, `K·e^(−d·s)/(s·(T·s + 1))`.
 //!
 //! # Formula
-//! `x1 = row(d_over_T, 0.5, 0.193, 1, 0.207, 2, 0.219)`, `x2 = row(d_over_T, 0.5, 3.717, 1, 3.386, 2, 3.127)`, `Kc
-//! = 2*x1/(K*(T + d))`, `Ti = 2*x2*(T + d)`. Nothing is interpolated; between rows the nearest one is taken.
+//! `x1 = row(d_over_T, 0.5, 0.193, 1, 0.207, 2, 0.219)`, `x2 = row(d_over_T, 0.5, 3.717, 1, 3.386, 2, 3.127)`,
+//! `Kc = 2*x1/(K*(T + d))`, `Ti = 2*x2*(T + d)`. Nothing is interpolated; between rows the nearest one is taken.
 //! Recomputing the triple root of `Ti*s^2*(1 + T*s) + K*Kc*(1 + Ti*s)*exp(-d*s)` gives every printed digit of the
 //! six numbers (mpmath 1.3.0, findroot on the second derivative).
 //!
@@ -20,8 +20,8 @@
 //! of T + d: that is another, wrong rule.
 //!
 //! # Published values
-//! `Kc*K*(T + d)/2` = 0.193 (d/T = 0.5); `Ti/(T + d)/2` = 3.717; `Kc*K*(T + d)/2` = 0.207 (d/T = 1); `Ti/(T + d)/2`
-//! = 3.386; `Kc*K*(T + d)/2` = 0.219 (d/T = 2); `Ti/(T + d)/2` = 3.127.
+//! `Kc*K*(T + d)/2` = 0.193 (d/T = 0.5); `Ti/(T + d)/2` = 3.717; `Kc*K*(T + d)/2` = 0.207 (d/T = 1);
+//! `Ti/(T + d)/2` = 3.386; `Kc*K*(T + d)/2` = 0.219 (d/T = 2); `Ti/(T + d)/2` = 3.127.
 //!
 //! # Reference
 //! Huba, Zakova (2003), by way of O'Dwyer.

@@ -6,8 +6,9 @@
 //! # Formula
 //! `x1 = row(d_over_T, 0.2, 3.9465, 0.4, 3.9981, 0.6, 4.0397, 0.8, 4.0397, 1, 4.0397, 1.2, 4.0337, 1.4, 4.0278,
 //! 1.6, 4.0278, 1.8, 4.0218, 2, 4.0099)`, `x2 = row(d_over_T, 0.2, 0.5320, 0.4, 0.5315, 0.6, 0.5311, 0.8, 0.5311,
-//! 1, 0.5311, 1.2, 0.5312, 1.4, 0.5312, 1.6, 0.5312, 1.8, 0.5313, 2, 0.5314)`, `Kc = x2/(K*(T + d))*sqrt(1 +
-//! T^2/(x1*(T + d)^2))`, `Ti = x1*(T + d)`. Nothing is interpolated; between rows the nearest one is taken.
+//! 1, 0.5311, 1.2, 0.5312, 1.4, 0.5312, 1.6, 0.5312, 1.8, 0.5313, 2, 0.5314)`,
+//! `Kc = x2/(K*(T + d))*sqrt(1 + T^2/(x1*(T + d)^2))`, `Ti = x1*(T + d)`. Nothing is interpolated; between rows the
+//! nearest one is taken.
 //!
 //! # Parameters
 //! `d_over_T`, default the row nearest to d/T: row of the table, dead time over lag (0.2, 0.4, … 2).
@@ -21,13 +22,15 @@
 //!
 //! # Published values
 //! `Ti/(T + d)` = 3.9465 (d/T = 0.2); `Kc*K*(T + d)/sqrt(1 + T^2/(Ti*(T + d)))` = 0.5320; `Ti/(T + d)` = 3.9981
-//! (d/T = 0.4); `Kc*K*(T + d)/sqrt(1 + T^2/(Ti*(T + d)))` = 0.5315; `Ti/(T + d)` = 4.0397 (d/T = 0.6); `Kc*K*(T +
-//! d)/sqrt(1 + T^2/(Ti*(T + d)))` = 0.5311; `Ti/(T + d)` = 4.0397 (d/T = 0.8); `Kc*K*(T + d)/sqrt(1 + T^2/(Ti*(T +
-//! d)))` = 0.5311; `Ti/(T + d)` = 4.0397 (d/T = 1); `Kc*K*(T + d)/sqrt(1 + T^2/(Ti*(T + d)))` = 0.5311; `Ti/(T +
-//! d)` = 4.0337 (d/T = 1.2); `Kc*K*(T + d)/sqrt(1 + T^2/(Ti*(T + d)))` = 0.5312; `Ti/(T + d)` = 4.0278 (d/T = 1.4);
-//! `Kc*K*(T + d)/sqrt(1 + T^2/(Ti*(T + d)))` = 0.5312; `Ti/(T + d)` = 4.0278 (d/T = 1.6); `Kc*K*(T + d)/sqrt(1 +
-//! T^2/(Ti*(T + d)))` = 0.5312; `Ti/(T + d)` = 4.0218 (d/T = 1.8); `Kc*K*(T + d)/sqrt(1 + T^2/(Ti*(T + d)))` =
-//! 0.5313; `Ti/(T + d)` = 4.0099 (d/T = 2); `Kc*K*(T + d)/sqrt(1 + T^2/(Ti*(T + d)))` = 0.5314.
+//! (d/T = 0.4); `Kc*K*(T + d)/sqrt(1 + T^2/(Ti*(T + d)))` = 0.5315; `Ti/(T + d)` = 4.0397 (d/T = 0.6);
+//! `Kc*K*(T + d)/sqrt(1 + T^2/(Ti*(T + d)))` = 0.5311; `Ti/(T + d)` = 4.0397 (d/T = 0.8);
+//! `Kc*K*(T + d)/sqrt(1 + T^2/(Ti*(T + d)))` = 0.5311; `Ti/(T + d)` = 4.0397 (d/T = 1);
+//! `Kc*K*(T + d)/sqrt(1 + T^2/(Ti*(T + d)))` = 0.5311; `Ti/(T + d)` = 4.0337 (d/T = 1.2);
+//! `Kc*K*(T + d)/sqrt(1 + T^2/(Ti*(T + d)))` = 0.5312; `Ti/(T + d)` = 4.0278 (d/T = 1.4);
+//! `Kc*K*(T + d)/sqrt(1 + T^2/(Ti*(T + d)))` = 0.5312; `Ti/(T + d)` = 4.0278 (d/T = 1.6);
+//! `Kc*K*(T + d)/sqrt(1 + T^2/(Ti*(T + d)))` = 0.5312; `Ti/(T + d)` = 4.0218 (d/T = 1.8);
+//! `Kc*K*(T + d)/sqrt(1 + T^2/(Ti*(T + d)))` = 0.5313; `Ti/(T + d)` = 4.0099 (d/T = 2);
+//! `Kc*K*(T + d)/sqrt(1 + T^2/(Ti*(T + d)))` = 0.5314.
 //!
 //! # Reference
 //! Poulin, Pomerleau (1996), PID tuning for integrating and unstable processes, IEE Proc. Control Theory Appl. 143,

@@ -6,8 +6,9 @@
 //! # Formula
 //! `x1 = row(d_over_T, 0.2, 5.0728, 0.4, 4.9688, 0.6, 4.8983, 0.8, 4.8218, 1, 4.7839, 1.2, 4.7565, 1.4, 4.7293,
 //! 1.6, 4.7107, 1.8, 4.7837, 2, 4.6837)`, `x2 = row(d_over_T, 0.2, 0.5231, 0.4, 0.5237, 0.6, 0.5241, 0.8, 0.5245,
-//! 1, 0.5249, 1.2, 0.5250, 1.4, 0.5252, 1.6, 0.5254, 1.8, 0.5256, 2, 0.5257)`, `Kc = x2/(K*(T + d))*sqrt(1 +
-//! T^2/(x1*(T + d)^2))`, `Ti = x1*(T + d)`. Nothing is interpolated; between rows the nearest one is taken.
+//! 1, 0.5249, 1.2, 0.5250, 1.4, 0.5252, 1.6, 0.5254, 1.8, 0.5256, 2, 0.5257)`,
+//! `Kc = x2/(K*(T + d))*sqrt(1 + T^2/(x1*(T + d)^2))`, `Ti = x1*(T + d)`. Nothing is interpolated; between rows the
+//! nearest one is taken.
 //!
 //! # Parameters
 //! `d_over_T`, default the row nearest to d/T: row of the table, dead time over lag (0.2, 0.4, … 2).
@@ -23,13 +24,15 @@
 //!
 //! # Published values
 //! `Ti/(T + d)` = 5.0728 (d/T = 0.2); `Kc*K*(T + d)/sqrt(1 + T^2/(Ti*(T + d)))` = 0.5231; `Ti/(T + d)` = 4.9688
-//! (d/T = 0.4); `Kc*K*(T + d)/sqrt(1 + T^2/(Ti*(T + d)))` = 0.5237; `Ti/(T + d)` = 4.8983 (d/T = 0.6); `Kc*K*(T +
-//! d)/sqrt(1 + T^2/(Ti*(T + d)))` = 0.5241; `Ti/(T + d)` = 4.8218 (d/T = 0.8); `Kc*K*(T + d)/sqrt(1 + T^2/(Ti*(T +
-//! d)))` = 0.5245; `Ti/(T + d)` = 4.7839 (d/T = 1); `Kc*K*(T + d)/sqrt(1 + T^2/(Ti*(T + d)))` = 0.5249; `Ti/(T +
-//! d)` = 4.7565 (d/T = 1.2); `Kc*K*(T + d)/sqrt(1 + T^2/(Ti*(T + d)))` = 0.5250; `Ti/(T + d)` = 4.7293 (d/T = 1.4);
-//! `Kc*K*(T + d)/sqrt(1 + T^2/(Ti*(T + d)))` = 0.5252; `Ti/(T + d)` = 4.7107 (d/T = 1.6); `Kc*K*(T + d)/sqrt(1 +
-//! T^2/(Ti*(T + d)))` = 0.5254; `Ti/(T + d)` = 4.7837 (d/T = 1.8); `Kc*K*(T + d)/sqrt(1 + T^2/(Ti*(T + d)))` =
-//! 0.5256; `Ti/(T + d)` = 4.6837 (d/T = 2); `Kc*K*(T + d)/sqrt(1 + T^2/(Ti*(T + d)))` = 0.5257.
+//! (d/T = 0.4); `Kc*K*(T + d)/sqrt(1 + T^2/(Ti*(T + d)))` = 0.5237; `Ti/(T + d)` = 4.8983 (d/T = 0.6);
+//! `Kc*K*(T + d)/sqrt(1 + T^2/(Ti*(T + d)))` = 0.5241; `Ti/(T + d)` = 4.8218 (d/T = 0.8);
+//! `Kc*K*(T + d)/sqrt(1 + T^2/(Ti*(T + d)))` = 0.5245; `Ti/(T + d)` = 4.7839 (d/T = 1);
+//! `Kc*K*(T + d)/sqrt(1 + T^2/(Ti*(T + d)))` = 0.5249; `Ti/(T + d)` = 4.7565 (d/T = 1.2);
+//! `Kc*K*(T + d)/sqrt(1 + T^2/(Ti*(T + d)))` = 0.5250; `Ti/(T + d)` = 4.7293 (d/T = 1.4);
+//! `Kc*K*(T + d)/sqrt(1 + T^2/(Ti*(T + d)))` = 0.5252; `Ti/(T + d)` = 4.7107 (d/T = 1.6);
+//! `Kc*K*(T + d)/sqrt(1 + T^2/(Ti*(T + d)))` = 0.5254; `Ti/(T + d)` = 4.7837 (d/T = 1.8);
+//! `Kc*K*(T + d)/sqrt(1 + T^2/(Ti*(T + d)))` = 0.5256; `Ti/(T + d)` = 4.6837 (d/T = 2);
+//! `Kc*K*(T + d)/sqrt(1 + T^2/(Ti*(T + d)))` = 0.5257.
 //!
 //! # Reference
 //! Poulin, Pomerleau (1996), PID tuning for integrating and unstable processes, IEE Proc. Control Theory Appl. 143,

@@ -13,9 +13,9 @@
 //! Integrators with a lag of about the dead time, where a slow oscillation after a load is accepted.
 //!
 //! # Limits
-//! Poorly damped: dominant damping 0.29 and phase margin 28° at T = d, 0.17 and 18° at T = 0.2 d, 0.21 and 22° at T
-//! = 5 d, while the gain margin is 5.9 or more: the gain is low for its integral time. One public toolbox omits the
-//! square of the bracket. The derivative is unfiltered in the source.
+//! Poorly damped: dominant damping 0.29 and phase margin 28° at T = d, 0.17 and 18° at T = 0.2 d, 0.21 and 22° at
+//! T = 5 d, while the gain margin is 5.9 or more: the gain is low for its integral time. One public toolbox omits
+//! the square of the bracket. The derivative is unfiltered in the source.
 //!
 //! # Published values
 //! No published value came with the code.

@@ -15,8 +15,7 @@
 //!
 //! # Limits
 //! A load D at the process input leaves a lasting error of D/Kc. Sensitivity peak 2.96, gain margin 1.52, phase
-//! margin 52.0°: the gain margin is small because the unfiltered derivative keeps |L(j inf)| at 0.50. The
-//! derivative is unfiltered in the source.
+//! margin 52.0°. The unfiltered derivative keeps |L(j inf)| at 0.50. The derivative is unfiltered in the source.
 //!
 //! # Published values
 //! `Kc*K*d` = 1.03; `Td/d` = 0.49.
@@ -43,8 +42,8 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     when: "Fast setpoint steps where no lasting load acts and robustness may be spent; the sharpest of the \
            three Visioli PD rules.",
     limits: "A load D at the process input leaves a lasting error of D/Kc. Sensitivity peak 2.96, gain margin \
-             1.52, phase margin 52.0°: the gain margin is small because the unfiltered derivative keeps |L(j \
-             inf)| at 0.50. The derivative is unfiltered in the source.",
+             1.52, phase margin 52.0°. The unfiltered derivative keeps |L(j inf)| at 0.50. The derivative is \
+             unfiltered in the source.",
     validity: &[],
     provenance: Provenance::Retrieved,
     source: "public code on GitHub: ipdtctrl.m, PD and PID settings for IPDT models (Xue, Chen, Atherton, book \

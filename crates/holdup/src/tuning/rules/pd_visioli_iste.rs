@@ -14,8 +14,7 @@
 //!
 //! # Limits
 //! A load D at the process input leaves a lasting error of D/Kc. Sensitivity peak 2.28, gain margin 1.81, phase
-//! margin 57.5°: the gain margin is small because the unfiltered derivative keeps |L(j inf)| at 0.41. The
-//! derivative is unfiltered in the source.
+//! margin 57.5°. The unfiltered derivative keeps |L(j inf)| at 0.41. The derivative is unfiltered in the source.
 //!
 //! # Published values
 //! `Kc*K*d` = 0.9; `Td/d` = 0.45.
@@ -41,8 +40,8 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     formula: &[("Kc", "0.9/(K*d)"), ("Td", "0.45*d")],
     when: "Fast setpoint steps where no lasting load acts; the most robust of the three Visioli PD rules.",
     limits: "A load D at the process input leaves a lasting error of D/Kc. Sensitivity peak 2.28, gain margin \
-             1.81, phase margin 57.5°: the gain margin is small because the unfiltered derivative keeps |L(j \
-             inf)| at 0.41. The derivative is unfiltered in the source.",
+             1.81, phase margin 57.5°. The unfiltered derivative keeps |L(j inf)| at 0.41. The derivative is \
+             unfiltered in the source.",
     validity: &[],
     provenance: Provenance::Retrieved,
     source: "public code on GitHub: ipdtctrl.m, PD and PID settings for IPDT models (Xue, Chen, Atherton, book \

@@ -14,8 +14,7 @@
 //!
 //! # Limits
 //! A load D at the process input leaves a lasting error of D/Kc. Sensitivity peak 2.48, gain margin 1.70, phase
-//! margin 54.6°: the gain margin is small because the unfiltered derivative keeps |L(j inf)| at 0.43. The
-//! derivative is unfiltered in the source.
+//! margin 54.6°. The unfiltered derivative keeps |L(j inf)| at 0.43. The derivative is unfiltered in the source.
 //!
 //! # Published values
 //! `Kc*K*d` = 0.96; `Td/d` = 0.45.
@@ -41,8 +40,8 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     formula: &[("Kc", "0.96/(K*d)"), ("Td", "0.45*d")],
     when: "Fast setpoint steps where no lasting load acts; between the ISE and the ISTE rule in sharpness.",
     limits: "A load D at the process input leaves a lasting error of D/Kc. Sensitivity peak 2.48, gain margin \
-             1.70, phase margin 54.6°: the gain margin is small because the unfiltered derivative keeps |L(j \
-             inf)| at 0.43. The derivative is unfiltered in the source.",
+             1.70, phase margin 54.6°. The unfiltered derivative keeps |L(j inf)| at 0.43. The derivative is \
+             unfiltered in the source.",
     validity: &[],
     provenance: Provenance::Retrieved,
     source: "public code on GitHub: ipdtctrl.m, PD and PID settings for IPDT models (Xue, Chen, Atherton, book \

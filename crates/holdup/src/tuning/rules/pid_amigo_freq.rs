@@ -4,9 +4,9 @@
 //! The plain integrator with dead time.
 //!
 //! # Formula
-//! `kappa = 0`, `Ku = pi/(2*K*d)`, `Pu = 4*d`, `Kc = (0.3 - 0.1*kappa^4)*Ku`, `Ti = 0.6*Pu/(1 + 2*kappa)`, `Td =
-//! 0.15*Pu*(1 - kappa)/(1 - 0.95*kappa)`. kappa, the gain at the ultimate frequency over the static gain, is 0 on
-//! an integrator.
+//! `kappa = 0`, `Ku = pi/(2*K*d)`, `Pu = 4*d`, `Kc = (0.3 - 0.1*kappa^4)*Ku`, `Ti = 0.6*Pu/(1 + 2*kappa)`,
+//! `Td = 0.15*Pu*(1 - kappa)/(1 - 0.95*kappa)`. kappa, the gain at the ultimate frequency over the static gain, is
+//! 0 on an integrator.
 //!
 //! # Parameters
 //! None.

@@ -11,7 +11,8 @@
 //! None.
 //!
 //! # When
-//! Fast load rejection where the dead time is known well; otherwise take pid-sree-chidambaram by the same authors.
+//! Fast load rejection where the dead time is known well; pid-sree-chidambaram by the same authors has the same IAE
+//! after a load at sensitivity peak 2.2.
 //!
 //! # Limits
 //! Sensitivity peak 3.8, gain margin 1.37: a gain 37 % higher makes the loop unstable. From memory: no source was
@@ -41,8 +42,8 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     form: Form::Ideal,
     parameters: &[],
     formula: &[("Kc", "1.2346/(K*d)"), ("Ti", "4.5*d"), ("Td", "0.45*d")],
-    when: "Fast load rejection where the dead time is known well; otherwise take pid-sree-chidambaram by the \
-           same authors.",
+    when: "Fast load rejection where the dead time is known well; pid-sree-chidambaram by the same authors has \
+           the same IAE after a load at sensitivity peak 2.2.",
     limits: "Sensitivity peak 3.8, gain margin 1.37: a gain 37 % higher makes the loop unstable. From memory: \
              no source was read. The derivative is unfiltered in the source.",
     validity: &[],

@@ -10,11 +10,13 @@
 //! None.
 //!
 //! # When
-//! Load rejection without the response crossing over; the better of the two CHR load rules for an integrator.
+//! Load rejection with moderate robustness; the milder of the two CHR rules for loads.
 //!
 //! # Limits
-//! Sensitivity peak 2.23, gain margin 1.87, phase margin 33°. The original table prints Ti = 2.4 d: the rule here
-//! is that of the transcription read, 2.38 d. The derivative is unfiltered in the source.
+//! The 0 % of its name holds for self-regulating processes: here the response to a load crosses over (IAE 3.20 K
+//! d^2, integral of the error 2.51 K d^2). Sensitivity peak 2.23, gain margin 1.87, phase margin 33°. The original
+//! table prints Ti = 2.4 d: the rule here is that of the transcription read, 2.38 d. The derivative is unfiltered
+//! in the source.
 //!
 //! # Published values
 //! `Kc*K*d` = 0.95; `Ti/d` = 2.38; `Td/d` = 0.42.
@@ -36,11 +38,11 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     form: Form::Ideal,
     parameters: &[],
     formula: &[("Kc", "0.95/(K*d)"), ("Ti", "2.38*d"), ("Td", "0.42*d")],
-    when: "Load rejection without the response crossing over; the better of the two CHR load rules for an \
-           integrator.",
-    limits: "Sensitivity peak 2.23, gain margin 1.87, phase margin 33°. The original table prints Ti = 2.4 d: \
-             the rule here is that of the transcription read, 2.38 d. The derivative is unfiltered in the \
-             source.",
+    when: "Load rejection with moderate robustness; the milder of the two CHR rules for loads.",
+    limits: "The 0 % of its name holds for self-regulating processes: here the response to a load crosses over \
+             (IAE 3.20 K d^2, integral of the error 2.51 K d^2). Sensitivity peak 2.23, gain margin 1.87, \
+             phase margin 33°. The original table prints Ti = 2.4 d: the rule here is that of the \
+             transcription read, 2.38 d. The derivative is unfiltered in the source.",
     validity: &[],
     provenance: Provenance::Retrieved,
     source: "MathWorks utTuningStepResponse.m, integrating branch (public code on GitHub)",

@@ -10,11 +10,11 @@
 //! None.
 //!
 //! # When
-//! Fast load rejection where a fifth of overshoot and little robustness are accepted.
+//! Fast load rejection where little robustness is accepted.
 //!
 //! # Limits
-//! Sensitivity peak 3.18, gain margin 1.49, phase margin 26°: a dead time 38 % longer makes the loop unstable. The
-//! derivative is unfiltered in the source.
+//! The 20 % of its name are those of self-regulating processes. Sensitivity peak 3.18, gain margin 1.49, phase
+//! margin 26°: a dead time 38 % longer makes the loop unstable. The derivative is unfiltered in the source.
 //!
 //! # Published values
 //! `Kc*K*d` = 1.2; `Ti/d` = 2; `Td/d` = 0.42.
@@ -36,9 +36,10 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     form: Form::Ideal,
     parameters: &[],
     formula: &[("Kc", "1.2/(K*d)"), ("Ti", "2*d"), ("Td", "0.42*d")],
-    when: "Fast load rejection where a fifth of overshoot and little robustness are accepted.",
-    limits: "Sensitivity peak 3.18, gain margin 1.49, phase margin 26°: a dead time 38 % longer makes the loop \
-             unstable. The derivative is unfiltered in the source.",
+    when: "Fast load rejection where little robustness is accepted.",
+    limits: "The 20 % of its name are those of self-regulating processes. Sensitivity peak 3.18, gain margin \
+             1.49, phase margin 26°: a dead time 38 % longer makes the loop unstable. The derivative is \
+             unfiltered in the source.",
     validity: &[],
     provenance: Provenance::Retrieved,
     source: "github gmxavier/turu, turu.py, commit 14911e3c (a transcription of O'Dwyer's handbook of 2009), \

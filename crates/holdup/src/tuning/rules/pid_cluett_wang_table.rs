@@ -4,9 +4,9 @@
 //! The plain integrator with dead time.
 //!
 //! # Formula
-//! `Kc = row(tcl_over_d, 1, 0.9588, 2, 0.6232, 3, 0.4668, 4, 0.3752, 5, 0.3144, 6, 0.2709)/(K*d)`, `Ti =
-//! row(tcl_over_d, 1, 3.0425, 2, 5.2586, 3, 7.2291, 4, 9.1925, 5, 11.1637, 6, 13.1416)*d`, `Td = row(tcl_over_d, 1,
-//! 0.3912, 2, 0.2632, 3, 0.2058, 4, 0.1702, 5, 0.1453, 6, 0.1269)*d`.
+//! `Kc = row(tcl_over_d, 1, 0.9588, 2, 0.6232, 3, 0.4668, 4, 0.3752, 5, 0.3144, 6, 0.2709)/(K*d)`,
+//! `Ti = row(tcl_over_d, 1, 3.0425, 2, 5.2586, 3, 7.2291, 4, 9.1925, 5, 11.1637, 6, 13.1416)*d`,
+//! `Td = row(tcl_over_d, 1, 0.3912, 2, 0.2632, 3, 0.2058, 4, 0.1702, 5, 0.1453, 6, 0.1269)*d`.
 //!
 //! # Parameters
 //! `tcl_over_d`, default 3: row of the table, closed-loop time constant over dead time (1, 2, 3, 4, 5 or 6).
@@ -20,10 +20,10 @@
 //! unfiltered in the source.
 //!
 //! # Published values
-//! `Kc*K*d` = 0.9588 (row 1); `Ti/d` = 3.0425; `Td/d` = 0.3912; `Kc*K*d` = 0.6232 (row 2); `Ti/d` = 5.2586; `Td/d`
-//! = 0.2632; `Kc*K*d` = 0.4668 (row 3); `Ti/d` = 7.2291; `Td/d` = 0.2058; `Kc*K*d` = 0.3752 (row 4); `Ti/d` =
-//! 9.1925; `Td/d` = 0.1702; `Kc*K*d` = 0.3144 (row 5); `Ti/d` = 11.1637; `Td/d` = 0.1453; `Kc*K*d` = 0.2709 (row
-//! 6); `Ti/d` = 13.1416; `Td/d` = 0.1269.
+//! `Kc*K*d` = 0.9588 (row 1); `Ti/d` = 3.0425; `Td/d` = 0.3912; `Kc*K*d` = 0.6232 (row 2); `Ti/d` = 5.2586;
+//! `Td/d` = 0.2632; `Kc*K*d` = 0.4668 (row 3); `Ti/d` = 7.2291; `Td/d` = 0.2058; `Kc*K*d` = 0.3752 (row 4);
+//! `Ti/d` = 9.1925; `Td/d` = 0.1702; `Kc*K*d` = 0.3144 (row 5); `Ti/d` = 11.1637; `Td/d` = 0.1453; `Kc*K*d` =
+//! 0.2709 (row 6); `Ti/d` = 13.1416; `Td/d` = 0.1269.
 //!
 //! # Reference
 //! Cluett, Wang (1997), New tuning rules for PID control, Pulp & Paper Canada 98(6).

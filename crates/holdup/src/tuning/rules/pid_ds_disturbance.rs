@@ -4,8 +4,8 @@
 //! The plain integrator with dead time.
 //!
 //! # Formula
-//! `eta = 3*lam + d`, `D = 3*lam^2 + 3*lam*d + 0.5*d^2`, `Kc = (eta + 0.5*d)/(K*D)`, `Ti = eta + 0.5*d`, `Td =
-//! 0.5*d*eta/(eta + 0.5*d)`, `a1 = (lam^3 + 1.5*lam^2*d)/D`, `a2 = 0.5*lam^3*d/D`. Derived here: with (1 -
+//! `eta = 3*lam + d`, `D = 3*lam^2 + 3*lam*d + 0.5*d^2`, `Kc = (eta + 0.5*d)/(K*D)`, `Ti = eta + 0.5*d`,
+//! `Td = 0.5*d*eta/(eta + 0.5*d)`, `a1 = (lam^3 + 1.5*lam^2*d)/D`, `a2 = 0.5*lam^3*d/D`. Derived here: with (1 -
 //! d·s/2)/(1 + d·s/2) for the dead time the loop has three poles at -1/lam and one at -2/d; the whole output is
 //! filtered by 1/(a2·s² + a1·s + 1).
 //!

@@ -10,7 +10,7 @@
 //! None.
 //!
 //! # When
-//! As history only: it shows how sharp the quarter-decay school tuned.
+//! As history only: it shows how sharp controllers were tuned in the 1950s.
 //!
 //! # Limits
 //! Sensitivity peak 5.9, gain margin 1.23, phase margin 16°: a dead time 19 % longer makes the loop unstable. From
@@ -38,7 +38,7 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     form: Form::Ideal,
     parameters: &[],
     formula: &[("Kc", "1.48/(K*d)"), ("Ti", "2*d"), ("Td", "0.37*d")],
-    when: "As history only: it shows how sharp the quarter-decay school tuned.",
+    when: "As history only: it shows how sharp controllers were tuned in the 1950s.",
     limits: "Sensitivity peak 5.9, gain margin 1.23, phase margin 16°: a dead time 19 % longer makes the loop \
              unstable. From memory: no source was read. The derivative is unfiltered in the source.",
     validity: &[],

@@ -17,9 +17,9 @@
 //! is unfiltered in the source.
 //!
 //! # Published values
-//! `Kc` = 0.8547009 (K = 0.2, d = 7.4, tau_c = 8); `Ti` = 23.4; `Td` = 3.1149573; `Kc` = 0.5347594 (tau_c = 15);
-//! `Td` = 3.3339572; `sensitivity_peak` = 4.29 (tau_c = d); `sensitivity_peak` = 1.94 (tau_c = 2 d);
-//! `sensitivity_peak` = 1.55 (tau_c = 3 d).
+//! `Kc` = 0.8547009 (K = 0.2, d = 7.4, `tau_c` = 8); `Ti` = 23.4; `Td` = 3.1149573; `Kc` = 0.5347594 (`tau_c` =
+//! 15); `Td` = 3.3339572; `sensitivity_peak` = 4.29 (`tau_c` = d); `sensitivity_peak` = 1.94 (`tau_c` = 2 d);
+//! `sensitivity_peak` = 1.55 (`tau_c` = 3 d).
 //!
 //! # Reference
 //! Chien, Fruehauf; Rice, Cooper (1990), Consider IMC tuning to improve controller performance, Chem. Eng. Prog.

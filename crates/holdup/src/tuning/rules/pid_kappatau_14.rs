@@ -4,8 +4,8 @@
 //! The plain integrator with dead time.
 //!
 //! # Formula
-//! `tau = 1`, `Kc = 5.6*exp(-8.8*tau + 6.8*tau^2)/(K*d)`, `Ti = 1.1*d*exp(6.7*tau - 4.4*tau^2)`, `Td =
-//! 1.7*d*exp(-6.4*tau + 2*tau^2)`. tau = d/(d + T) is 1 on an integrator without lag.
+//! `tau = 1`, `Kc = 5.6*exp(-8.8*tau + 6.8*tau^2)/(K*d)`, `Ti = 1.1*d*exp(6.7*tau - 4.4*tau^2)`,
+//! `Td = 1.7*d*exp(-6.4*tau + 2*tau^2)`. tau = d/(d + T) is 1 on an integrator without lag.
 //!
 //! # Parameters
 //! None.

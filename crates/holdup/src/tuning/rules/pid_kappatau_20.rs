@@ -4,8 +4,8 @@
 //! The plain integrator with dead time.
 //!
 //! # Formula
-//! `tau = 1`, `Kc = 8.6*exp(-7.1*tau + 5.4*tau^2)/(K*d)`, `Ti = d*exp(3.3*tau - 2.33*tau^2)`, `Td =
-//! 0.38*d*exp(0.056*tau - 0.6*tau^2)`. tau = d/(d + T) is 1 on an integrator without lag.
+//! `tau = 1`, `Kc = 8.6*exp(-7.1*tau + 5.4*tau^2)/(K*d)`, `Ti = d*exp(3.3*tau - 2.33*tau^2)`,
+//! `Td = 0.38*d*exp(0.056*tau - 0.6*tau^2)`. tau = d/(d + T) is 1 on an integrator without lag.
 //!
 //! # Parameters
 //! None.

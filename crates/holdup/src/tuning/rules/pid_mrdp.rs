@@ -4,9 +4,9 @@
 //! The plain integrator with dead time.
 //!
 //! # Formula
-//! `Kc = (12*sqrt(3) - 18)*exp(sqrt(3) - 3)/(K*d)`, `Ti = (2 + sqrt(3))*d`, `Td = (sqrt(3) - 1)/(12*sqrt(3) -
-//! 18)*d`. A quadruple root of `s^2*exp(d*s) + K*Kc*(s + 1/Ti + Td*s^2)`: its third derivative vanishes at `s*d =
-//! sqrt(3) - 3`. The source prints the three factors as decimals.
+//! `Kc = (12*sqrt(3) - 18)*exp(sqrt(3) - 3)/(K*d)`, `Ti = (2 + sqrt(3))*d`,
+//! `Td = (sqrt(3) - 1)/(12*sqrt(3) - 18)*d`. A quadruple root of `s^2*exp(d*s) + K*Kc*(s + 1/Ti + Td*s^2)`: its
+//! third derivative vanishes at `s*d = sqrt(3) - 3`. The source prints the three factors as decimals.
 //!
 //! # Parameters
 //! None.

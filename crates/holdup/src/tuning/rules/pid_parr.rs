@@ -13,8 +13,8 @@
 //! As history only: a variant of Ziegler-Nichols from a handbook.
 //!
 //! # Limits
-//! Sensitivity peak 3.48, gain margin 1.43, phase margin 28°: nothing that another rule here does not do better.
-//! The derivative is unfiltered in the source.
+//! Sensitivity peak 3.48, gain margin 1.43, phase margin 28°. No property of the loop came with the transcription
+//! that could be checked. The derivative is unfiltered in the source.
 //!
 //! # Published values
 //! `Kc*K*d` = 1.25; `Ti/d` = 2.5; `Td/d` = 0.4.
@@ -37,13 +37,13 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     parameters: &[],
     formula: &[("Kc", "1.25/(K*d)"), ("Ti", "2.5*d"), ("Td", "0.4*d")],
     when: "As history only: a variant of Ziegler-Nichols from a handbook.",
-    limits: "Sensitivity peak 3.48, gain margin 1.43, phase margin 28°: nothing that another rule here does \
-             not do better. The derivative is unfiltered in the source.",
+    limits: "Sensitivity peak 3.48, gain margin 1.43, phase margin 28°. No property of the loop came with the \
+             transcription that could be checked. The derivative is unfiltered in the source.",
     validity: &[],
     provenance: Provenance::Retrieved,
     source: "github gmxavier/turu, turu.py, commit 14911e3c (a transcription of O'Dwyer's handbook of 2009)",
     status: Status::History(
-        "sensitivity peak 3.5 buys nothing that other rules do not give with more robustness",
+        "a handbook variant of Ziegler-Nichols with sensitivity peak 3.5, of which no property is stated",
     ),
     values: include_str!("../../../tests/rules/pid-parr.toml"),
     law: by_formula,

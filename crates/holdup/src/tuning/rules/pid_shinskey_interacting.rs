@@ -11,7 +11,8 @@
 //! None.
 //!
 //! # When
-//! The least IAE after a load step that an interacting (series) controller gives; the reference for load rejection.
+//! Tuned for the least IAE after a load step with an interacting (series) controller, and about 1 % above the
+//! least: a reference for load rejection.
 //!
 //! # Limits
 //! Sensitivity peak 3.6, gain margin 1.41, phase margin 27°: for a well known dead time. The printed IAE is that of
@@ -38,8 +39,8 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     form: Form::Series,
     parameters: &[],
     formula: &[("Kc", "1/(1.08*K*d)"), ("Ti", "1.57*d"), ("Td", "0.58*d")],
-    when: "The least IAE after a load step that an interacting (series) controller gives; the reference for \
-           load rejection.",
+    when: "Tuned for the least IAE after a load step with an interacting (series) controller, and about 1 % \
+           above the least: a reference for load rejection.",
     limits: "Sensitivity peak 3.6, gain margin 1.41, phase margin 27°: for a well known dead time. The printed \
              IAE is that of the unfiltered loop, the printed peak that of one with its lead filtered at Td/10: \
              the two cannot both be right. The derivative is unfiltered in the source.",

@@ -11,8 +11,8 @@
 //! None.
 //!
 //! # When
-//! The least IAE after a load step that a noninteracting (ideal) controller gives; the reference for load
-//! rejection.
+//! Tuned for the least IAE after a load step with a noninteracting (ideal) controller, and about 1 % above the
+//! least: a reference for load rejection.
 //!
 //! # Limits
 //! Sensitivity peak 4.0, gain margin 1.35, phase margin 28°: for a well known dead time. The derivative is
@@ -38,8 +38,8 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     form: Form::Ideal,
     parameters: &[],
     formula: &[("Kc", "1/(0.78*K*d)"), ("Ti", "1.90*d"), ("Td", "0.48*d")],
-    when: "The least IAE after a load step that a noninteracting (ideal) controller gives; the reference for \
-           load rejection.",
+    when: "Tuned for the least IAE after a load step with a noninteracting (ideal) controller, and about 1 % \
+           above the least: a reference for load rejection.",
     limits: "Sensitivity peak 4.0, gain margin 1.35, phase margin 28°: for a well known dead time. The \
              derivative is unfiltered in the source.",
     validity: &[],

@@ -10,7 +10,7 @@
 //! None.
 //!
 //! # When
-//! Fast load rejection together with a setpoint step that the weight 0.3358 keeps from overshooting much.
+//! Fast load rejection where the proportional action shall see only a third of a setpoint step.
 //!
 //! # Limits
 //! Sensitivity peak 3.5, gain margin 1.42, phase margin 28°. From memory: no source was read. The weight of the
@@ -37,8 +37,7 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     form: Form::Ideal,
     parameters: &[],
     formula: &[("Kc", "1.253/(K*d)"), ("Ti", "2.388*d"), ("Td", "0.4137*d"), ("b", "0.3358")],
-    when: "Fast load rejection together with a setpoint step that the weight 0.3358 keeps from overshooting \
-           much.",
+    when: "Fast load rejection where the proportional action shall see only a third of a setpoint step.",
     limits: "Sensitivity peak 3.5, gain margin 1.42, phase margin 28°. From memory: no source was read. The \
              weight of the derivative action on the setpoint, which the source has too, did not come here and \
              stays 1. The derivative is unfiltered in the source.",

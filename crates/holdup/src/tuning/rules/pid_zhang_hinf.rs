@@ -4,9 +4,9 @@
 //! The plain integrator with dead time.
 //!
 //! # Formula
-//! `D = 3*lam^2 + 1.5*lam*d + 0.25*d^2`, `Kc = (3*lam + d)/(K*D)`, `Ti = 3*lam + d`, `Td = d/2*(3*lam + d/2)/(3*lam
-//! + d)`, `Tf = lam^3/D`. Derived again here: with (1 - d·s/2)/(1 + d·s/2) for the dead time the loop has three
-//! poles at -1/lam.
+//! `D = 3*lam^2 + 1.5*lam*d + 0.25*d^2`, `Kc = (3*lam + d)/(K*D)`, `Ti = 3*lam + d`,
+//! `Td = d/2*(3*lam + d/2)/(3*lam + d)`, `Tf = lam^3/D`. Derived again here: with (1 - d·s/2)/(1 + d·s/2) for the
+//! dead time the loop has three poles at -1/lam.
 //!
 //! # Parameters
 //! `lam` [s], default 2·d: time constant of the triple closed-loop pole of the design model, advised at least d.

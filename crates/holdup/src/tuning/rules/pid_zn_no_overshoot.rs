@@ -14,8 +14,9 @@
 //! Not to be used on an integrator: kept to show what is wrong with it. pid-isimc is the robust everyday PID.
 //!
 //! # Limits
-//! Made for self-regulating processes: on an integrator every PID with Ti = 2 d at setpoint weight 1 overshoots,
-//! this one by 45 %; dominant damping 0.23. From memory: no source was read.
+//! Made for self-regulating processes: on an integrator every controller with integral action and setpoint weight 1
+//! overshoots, because the error of a setpoint step integrates to 0; this one by 45 %; dominant damping 0.23. From
+//! memory: no source was read.
 //!
 //! # Published values
 //! `100*overshoot` = 0 — DIFFERENCE, see the values file.
@@ -39,8 +40,9 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     formula: &[("Ku", "pi/(2*K*d)"), ("Pu", "4*d"), ("Kc", "0.2*Ku"), ("Ti", "Pu/2"), ("Td", "Pu/3")],
     when: "Not to be used on an integrator: kept to show what is wrong with it. pid-isimc is the robust \
            everyday PID.",
-    limits: "Made for self-regulating processes: on an integrator every PID with Ti = 2 d at setpoint weight 1 \
-             overshoots, this one by 45 %; dominant damping 0.23. From memory: no source was read.",
+    limits: "Made for self-regulating processes: on an integrator every controller with integral action and \
+             setpoint weight 1 overshoots, because the error of a setpoint step integrates to 0; this one by \
+             45 %; dominant damping 0.23. From memory: no source was read.",
     validity: &[],
     provenance: Provenance::Memory,
     source: "memory: no source was read",
