@@ -100,7 +100,7 @@ fn assemble(
         .gain_crossovers
         .iter()
         .map(|&omega| {
-            let direction = functions.at(omega).direction[0];
+            let direction = functions.direction(omega)[0];
             (omega, (-direction).arg())
         })
         .collect();
