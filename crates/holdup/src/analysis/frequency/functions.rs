@@ -33,8 +33,6 @@ pub(super) struct Point {
     delayed: Jet,
     /// Δ = N + D.
     pub(super) closed: Jet,
-    /// L·|D|²/ωᵏ: L up to a positive factor.
-    pub(super) direction: Jet,
 }
 
 /// Bounds of the derivatives 0 to 3 on |ω| ≤ the upper end of an interval.
@@ -44,7 +42,8 @@ pub(super) struct Bounds {
     denominator: [f64; 4],
     /// Of N·conj(D), rotation included.
     cross: [f64; 4],
-    direction: [f64; 4],
+    /// Of N itself.
+    delayed: [f64; 4],
 }
 
 impl Functions {
@@ -67,12 +66,23 @@ impl Functions {
         let denominator = self.denominator.on_axis(omega);
         let delayed = rotated(numerator, self.shortest_delay, omega);
         let closed = std::array::from_fn(|i| delayed[i] + denominator[i]);
-        Point { omega, numerator, denominator, delayed, closed, direction: self.direction_of(delayed, omega) }
+        Point { omega, numerator, denominator, delayed, closed }
     }
 
     /// L·|D|²/ωᵏ alone.
     pub(super) fn direction(&self, omega: f64) -> Jet {
-        self.direction_of(rotated(self.numerator.on_axis(omega), self.shortest_delay, omega), omega)
+        self.turned(rotated(self.numerator.on_axis(omega), self.shortest_delay, omega), omega)
+    }
+
+    /// The same at a point already evaluated.
+    pub(super) fn direction_at(&self, point: &Point) -> Jet {
+        self.turned(point.delayed, point.omega)
+    }
+
+    /// For L·|D|²/ωᵏ up to the frequency `omega`: the bound of its third derivative and its rounding error.
+    pub(super) fn direction_bounds(&self, bounds: &Bounds, omega: f64) -> (f64, f64) {
+        let direction = product_bounds(&bounds.delayed, &self.reduced.magnitudes(omega));
+        (direction[3], ROUNDING * direction[0])
     }
 
     /// |L|.
@@ -90,7 +100,7 @@ impl Functions {
         (difference(squared(&n), squared(&d)), n_bounds.0 + d_bounds.0, n_bounds.1 + d_bounds.1)
     }
 
-    fn direction_of(&self, delayed: Jet, omega: f64) -> Jet {
+    fn turned(&self, delayed: Jet, omega: f64) -> Jet {
         let turn = |z: Complex<f64>| match self.order_at_zero % 4 {
             0 => z,
             1 => Complex::new(z.im, -z.re),
@@ -104,14 +114,12 @@ impl Functions {
     pub(super) fn bounds(&self, omega: f64) -> Bounds {
         let numerator = self.numerator.magnitudes(omega);
         let denominator = self.denominator.magnitudes(omega);
-        let reduced = if self.order_at_zero == 0 { denominator } else { self.reduced.magnitudes(omega) };
         let t = self.shortest_delay;
         let [n0, n1, n2, n3] = numerator;
         let delayed =
             [n0, n1 + t * n0, n2 + t * (2.0 * n1 + t * n0), n3 + t * (3.0 * n2 + t * (3.0 * n1 + t * n0))];
         let cross = product_bounds(&delayed, &denominator);
-        let direction = if self.order_at_zero == 0 { cross } else { product_bounds(&delayed, &reduced) };
-        Bounds { numerator, denominator, cross, direction }
+        Bounds { numerator, denominator, cross, delayed }
     }
 }
 
@@ -121,8 +129,15 @@ fn product(a: Jet, b: Jet) -> Jet {
     [a[0] * b[0], a[1] * b[0] + a[0] * b[1], a[2] * b[0] + a[1] * b[1] * 2.0 + a[0] * b[2]]
 }
 
+/// Imaginary part along the axis.
 pub(super) fn imaginary(jet: &Jet) -> Quadratic {
     let [f, df, ddf] = jet.map(|z| z.im);
+    Quadratic { f, df, ddf }
+}
+
+/// Real part along the axis.
+pub(super) fn real(jet: &Jet) -> Quadratic {
+    let [f, df, ddf] = jet.map(|z| z.re);
     Quadratic { f, df, ddf }
 }
 
@@ -177,17 +192,6 @@ pub(super) enum Peak {
 }
 
 impl Point {
-    /// Imaginary part of L up to a positive factor.
-    pub(super) fn imaginary(&self) -> Quadratic {
-        imaginary(&self.direction)
-    }
-
-    /// Real part of L up to the same factor.
-    pub(super) fn real(&self) -> Quadratic {
-        let [f, df, ddf] = self.direction.map(|z| z.re);
-        Quadratic { f, df, ddf }
-    }
-
     /// `level²·|Δ|² − |D or N|²`: positive where |S| or |T| is less than `level`.
     ///
     /// Where L is small (or large) Δ and its top are nearly equal: the difference is then formed term by term,
@@ -235,10 +239,6 @@ impl Point {
 
 /// For each function its bound of the third derivative and its rounding error.
 impl Bounds {
-    pub(super) fn direction(&self) -> (f64, f64) {
-        (self.direction[3], ROUNDING * self.direction[0])
-    }
-
     pub(super) fn below(&self, peak: Peak, level: f64, point: &Point) -> (f64, f64) {
         let (n, d) = (squared_bounds(&self.numerator), squared_bounds(&self.denominator));
         let (top, other) = match peak {

@@ -17,7 +17,7 @@ const WORK: usize = 400_000;
 
 /// What a loop achieves, broken at the process input: stability, margins, crossovers and peaks.
 ///
-/// Made by [`margins`] only. Of an unstable loop the margins and peaks are `None`, the crossovers are listed.
+/// Gain and dead time vary in the process alone: an observer keeps its model. Made by [`margins`] only. Of an unstable loop the margins and peaks are `None`, the crossovers are listed.
 /// Serialises with the names and units of the JSON contract; the warnings are not part of that.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
@@ -43,7 +43,7 @@ pub struct Margins {
     pub phase_crossovers: Vec<f64>,
     /// Sensitivity peak `M_s` [–], the supremum of |1/(1 + L)|.
     pub sensitivity_peak: Option<f64>,
-    /// Frequency of the sensitivity peak [rad/s]; `None` where it is a limit that no frequency attains.
+    /// Frequency of the sensitivity peak [rad/s], one of them where peaks agree to 1e-11; `None` where it is a limit that no frequency attains.
     pub sensitivity_peak_frequency: Option<f64>,
     /// Complementary sensitivity peak `M_t` [–], the supremum of |L/(1 + L)|.
     pub complementary_sensitivity_peak: Option<f64>,
@@ -100,7 +100,7 @@ fn assemble(
         .gain_crossovers
         .iter()
         .map(|&omega| {
-            let direction = functions.at(omega).direction[0];
+            let direction = functions.direction(omega)[0];
             (omega, (-direction).arg())
         })
         .collect();

@@ -7,7 +7,7 @@
 use std::f64::consts::TAU;
 
 use super::envelope::{Envelope, Steady};
-use super::functions::{Bounds, Functions, Peak, Point};
+use super::functions::{Bounds, Functions, Peak, Point, imaginary, real};
 use super::taylor::{Zeros, root, zeros};
 
 /// Longest list of phase crossovers.
@@ -188,19 +188,20 @@ impl<'a> Scan<'a> {
         let point = self.functions.at(middle);
         let bounds = self.functions.bounds(b);
         if open.phase {
-            let (third, rounding) = bounds.direction();
+            let direction = self.functions.direction_at(&point);
+            let (third, rounding) = self.functions.direction_bounds(&bounds, b);
             let rest = third * radius.powi(3) / 6.0 + rounding;
-            if point.real().range(radius).0 > rest {
+            if real(&direction).range(radius).0 > rest {
                 open.phase = false;
             } else {
-                let roots = zeros(point.imaginary(), third, rounding, radius);
+                let roots = zeros(imaginary(&direction), third, rounding, radius);
                 open.phase = roots == Zeros::Unknown;
                 // Next to ω = 0 the function may vanish with the frequency: not a crossing.
                 let vanishing = roots == Zeros::Touching && radius > 1e-3 * b;
                 let functions = self.functions;
-                let imaginary = |omega: f64| super::functions::imaginary(&functions.direction(omega));
+                let along = |omega: f64| imaginary(&functions.direction(omega));
                 let negative = |omega: &f64| !vanishing && functions.direction(*omega)[0].re < 0.0;
-                if let Some(root) = root(roots, a, b, imaginary).filter(negative) {
+                if let Some(root) = root(roots, a, b, along).filter(negative) {
                     self.phase_crossover(root);
                 }
             }
