@@ -3,6 +3,7 @@
 pub mod figures;
 mod file;
 pub mod output;
+pub mod published;
 mod run;
 
 use crate::analysis::response::Scenario;
