@@ -30,7 +30,8 @@ fn one_line(error: &impl ToString) {
 #[test]
 fn study_files_are_read_or_refused_in_one_line() {
     replay("study_file", |text| {
-        read_study(text).map_or_else(|error| one_line(&error), |study| assert!(!study.controllers.is_empty()));
+        read_study(text)
+            .map_or_else(|error| one_line(&error), |study| assert!(!study.controllers.is_empty()));
     });
 }
 
