@@ -112,13 +112,14 @@ fn scenario_tables(scenario: &ScenarioResult, console: Console) -> String {
         [row.percent_of_best.iae, row.percent_of_best.ise, row.percent_of_best.itae, row.percent_of_best.peak]
     };
     if scenario.rows.iter().any(|row| best(row).iter().any(Option::is_some)) {
+        text.push('\n');
         let bounds = &scenario.rows[0].bounds;
         let least = [bounds.iae, bounds.ise, bounds.itae, bounds.peak];
         let names = ["IAE", "ISE", "ITAE", "peak"];
         let heading: Vec<String> =
             names.iter().zip(least).map(|(name, least)| format!("{name} ≥ {}", number(least))).collect();
         let heading: Vec<&str> =
-            std::iter::once("% of the best possible").chain(heading.iter().map(String::as_str)).collect();
+            std::iter::once("% of best possible").chain(heading.iter().map(String::as_str)).collect();
         let rows = scenario.rows.iter().map(|row| {
             std::iter::once(row.controller.clone()).chain(best(row).into_iter().map(number)).collect()
         });
@@ -127,7 +128,7 @@ fn scenario_tables(scenario: &ScenarioResult, console: Console) -> String {
     text
 }
 
-const ACHIEVED: [&str; 9] = ["", "Kc", "Ti [s]", "Td [s]", "Ko", "A_m", "φ_m [°]", "M_s", "delay margin [s]"];
+const ACHIEVED: [&str; 9] = ["", "Kc", "Ti [s]", "Td [s]", "Ko", "A_m", "φ_m [°]", "M_s", "delay m. [s]"];
 
 fn achieved(name: &str, result: &ControllerResult) -> Vec<String> {
     let (controller, margins) = (result.controller.as_ref(), result.achieved.as_ref());
@@ -155,17 +156,8 @@ fn controllers(result: &StudyResult, console: Console) -> String {
 }
 
 fn members(family: &FamilyResult, console: Console) -> String {
-    let heading = [
-        family.vary.as_str(),
-        "Kc",
-        "Td [s]",
-        "A_m",
-        "φ_m [°]",
-        "M_s",
-        "settling 2 % [s]",
-        "overshoot [%]",
-        "IAE",
-    ];
+    let heading =
+        [family.vary.as_str(), "Kc", "Td [s]", "A_m", "φ_m [°]", "M_s", "2 % [s]", "over [%]", "IAE"];
     let rows = family.members.iter().map(|member| {
         let all = achieved(&number(member.value), &member.controller);
         let of_run = |index: usize| {

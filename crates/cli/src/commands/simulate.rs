@@ -77,7 +77,16 @@ pub(crate) fn run(args: &SimulateArgs, console: Console) -> Result<Answer, Fault
                 "peak" => (bounds.peak, percent_of_best.peak),
                 _ => (None, None),
             };
-            vec![(*name).to_owned(), pick(&response.metrics), number(bound), number(percent)]
+            let name = match *name {
+                "energy" => "energy of u",
+                "variation" => "total variation of u",
+                "over [%]" => "overshoot [%]",
+                "rise [s]" => "rise time, 10 to 90 % [s]",
+                "2 % [s]" => "settling time, 2 % [s]",
+                "5 % [s]" => "settling time, 5 % [s]",
+                name => name,
+            };
+            vec![name.to_owned(), pick(&response.metrics), number(bound), number(percent)]
         });
         text += &table(
             console,

@@ -225,7 +225,7 @@ impl Ranked {
     /// Lower is better: robust and recommended before fragile or historical before unstable.
     fn class(&self) -> u8 {
         let achieved = &self.tuned.achieved;
-        let robust = achieved.sensitivity_peak.is_some_and(|peak| peak <= ROBUST);
+        let robust = achieved.sensitivity_peak.is_some_and(|peak| peak <= ROBUST * (1.0 + 1e-9));
         match (achieved.stable, robust, self.entry.status) {
             (false, _, _) => 3,
             (_, _, Status::Wrong(_)) => 2,
@@ -236,7 +236,7 @@ impl Ranked {
 
     fn score(&self) -> f64 {
         let share = |percent: Option<f64>| percent.unwrap_or(0.0);
-        (share(self.setpoint.iae) + share(self.load.iae)) / 2.0
+        (share(self.setpoint.iae) * share(self.load.iae)).sqrt()
     }
 }
 
@@ -265,12 +265,11 @@ fn all(process: &Process, console: Console) -> Result<Answer, Fault> {
     let mut text = String::new();
     if !console.json {
         text = format!(
-            "Rules for {}: stable with M_s ≤ {ROBUST} first, then by the mean of\nthe two percentages, 100 % being what no controller beats.\n\n",
+            "Rules for {}.\nStable with M_s ≤ {ROBUST} first, then by the geometric mean of the two IAE in\npercent of the best possible: 100 % is what no controller beats.\n\n",
             process_line(process)
         );
         let rows: Vec<Vec<String>> = ranked.iter().map(row).collect();
-        let heading =
-            ["rule", "Kc", "Ti [s]", "Td [s]", "A_m", "φ_m [°]", "M_s", "setpoint IAE [%]", "load IAE [%]"];
+        let heading = ["rule", "Kc", "Ti [s]", "Td [s]", "A_m", "φ_m [°]", "M_s", "step [%]", "load [%]"];
         text += &table(console, &heading, &rows);
     }
     Ok(Answer { json, text, ..Answer::default() })

@@ -92,12 +92,12 @@ pub(crate) const METRICS: [(&str, fn(&Metrics) -> String); 10] = [
     ("IAE", |m| number(m.iae)),
     ("ISE", |m| number(m.ise)),
     ("ITAE", |m| number(m.itae)),
-    ("energy ∫u²", |m| number(m.control_energy)),
-    ("total variation", |m| number(m.total_variation)),
-    ("overshoot [%]", |m| percent(m.overshoot)),
+    ("energy", |m| number(m.control_energy)),
+    ("variation", |m| number(m.total_variation)),
+    ("over [%]", |m| percent(m.overshoot)),
     ("rise [s]", |m| number(m.rise_time.map(|t| t.0))),
-    ("settling 2 % [s]", |m| number(m.settling_time.map(|t| t.0))),
-    ("settling 5 % [s]", |m| number(m.settling_time_5.map(|t| t.0))),
+    ("2 % [s]", |m| number(m.settling_time.map(|t| t.0))),
+    ("5 % [s]", |m| number(m.settling_time_5.map(|t| t.0))),
     ("peak", |m| number(m.peak)),
 ];
 
