@@ -43,6 +43,9 @@ fn text(reproduction: &Reproduction, console: Console) -> String {
     text += &title(console, "Findings");
     for (index, finding) in reproduction.findings.iter().enumerate() {
         text += &wrapped(&format!("{}. {}. {}", index + 1, finding.title, finding.text), console.width);
+        for point in &finding.points {
+            text += &wrapped(&format!("  - {point}"), console.width);
+        }
     }
     text
 }

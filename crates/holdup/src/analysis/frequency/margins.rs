@@ -41,6 +41,8 @@ pub struct Margins {
     /// Phase crossovers [rad/s], L real and negative, in rising order: the first 32 of infinitely many. The
     /// gain margins consider them all.
     pub phase_crossovers: Vec<f64>,
+    /// Frequency [rad/s] up to which that list is complete; `None` where it holds them all.
+    pub phase_crossovers_complete_to: Option<f64>,
     /// Sensitivity peak `M_s` [–], the supremum of |1/(1 + L)|.
     pub sensitivity_peak: Option<f64>,
     /// Frequency of the sensitivity peak [rad/s], one of them where peaks agree to 1e-11; `None` where it is a limit that no frequency attains.
@@ -123,6 +125,11 @@ fn assemble(
         delay_margin_low: when_stable(cut).map(|dead_times| Seconds(dead_times * d)),
         gain_crossovers: in_seconds(&found.gain_crossovers),
         phase_crossovers: in_seconds(&found.phase_crossovers),
+        phase_crossovers_complete_to: found
+            .phase_crossovers
+            .last()
+            .filter(|_| found.phase_crossovers.len() >= LISTED)
+            .map(|last| last / d),
         sensitivity_peak: when_stable(Some(found.sensitivity.value)),
         sensitivity_peak_frequency: peak_at(found.sensitivity.omega),
         complementary_sensitivity_peak: when_stable(Some(found.complementary.value)),
@@ -174,14 +181,6 @@ fn warnings(
             }
         }
     }
-    if found.phase_crossovers.len() >= LISTED
-        && let Some(last) = found.phase_crossovers.last()
-    {
-        let last = last / characteristic.dead_time;
-        sentences.push(format!(
-            "Phase crossovers are infinitely many: those above {last:.6} rad/s are not listed (the gain margins consider them)."
-        ));
-    }
     if let Some(omega) = found.unfinished_from {
         let omega = omega / characteristic.dead_time;
         sentences.push(format!(
@@ -193,7 +192,7 @@ fn warnings(
 
 impl Serialize for Margins {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut s = serializer.serialize_struct("Margins", 13)?;
+        let mut s = serializer.serialize_struct("Margins", 14)?;
         s.serialize_field("stable", &self.stable)?;
         s.serialize_field("gain_margin", &self.gain_margin)?;
         s.serialize_field("gain_margin_low", &self.gain_margin_low)?;
@@ -202,6 +201,7 @@ impl Serialize for Margins {
         s.serialize_field("delay_margin_low_s", &self.delay_margin_low.map(|t| t.0))?;
         s.serialize_field("gain_crossovers_rad_s", &self.gain_crossovers)?;
         s.serialize_field("phase_crossovers_rad_s", &self.phase_crossovers)?;
+        s.serialize_field("phase_crossovers_complete_to_rad_s", &self.phase_crossovers_complete_to)?;
         s.serialize_field("sensitivity_peak", &self.sensitivity_peak)?;
         s.serialize_field("sensitivity_peak_rad_s", &self.sensitivity_peak_frequency)?;
         s.serialize_field("complementary_sensitivity_peak", &self.complementary_sensitivity_peak)?;

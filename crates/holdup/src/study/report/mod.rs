@@ -107,8 +107,12 @@ fn findings(reproduction: &Reproduction) -> Section {
         summary.not_reproduced,
         summary.impossible
     ));
-    section =
-        section.with_list(reproduction.findings.iter().map(|f| format!("{}. {}", f.title, f.text)).collect());
+    for (index, finding) in reproduction.findings.iter().enumerate() {
+        section = section.with_paragraph(format!("{}. {}. {}", index + 1, finding.title, finding.text));
+        if !finding.points.is_empty() {
+            section = section.with_list(finding.points.clone());
+        }
+    }
     section
 }
 
@@ -118,7 +122,7 @@ fn controllers(result: &StudyResult) -> Result<Section, ReportError> {
     let mut section = Section::new("Controllers")
         .with_table(tables::settings(&result.controllers)?)
         .with_table(tables::margins("Achieved, loop broken at the process input", &achieved)?);
-    if let Some(table) = tables::specified(&result.controllers)? {
+    if let Some(table) = tables::specified(result)? {
         section = section.with_table(table);
     }
     if !result.warnings.is_empty() {

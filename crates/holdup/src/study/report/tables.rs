@@ -6,7 +6,7 @@ use crate::analysis::metrics::METRICS;
 use crate::model::{Radians, Seconds};
 use crate::study::figures::page::{Column, Table};
 use crate::study::published::{Cell, Reproduction};
-use crate::study::{ControllerResult, FamilyResult, ScenarioResult};
+use crate::study::{ControllerResult, FamilyResult, ScenarioResult, StudyResult};
 
 /// A number to five significant digits; a dash where there is none.
 pub(super) fn number(value: Option<f64>) -> String {
@@ -107,10 +107,12 @@ pub(super) fn margins(caption: &str, loops: &[(String, &Margins)]) -> Result<Tab
 }
 
 /// What was specified beside what is achieved, for every controller that a rule with a specification made.
-pub(super) fn specified(controllers: &[ControllerResult]) -> Result<Option<Table>, ReportError> {
+pub(super) fn specified(study: &StudyResult) -> Result<Option<Table>, ReportError> {
     let mut rows = Vec::new();
-    for result in controllers {
+    for result in &study.controllers {
         let (Some(asked), Some(achieved)) = (&result.specification, &result.achieved) else { continue };
+        let runs = study.scenarios.iter().flat_map(|s| &s.rows).filter(|r| r.controller == result.name);
+        let settled = runs.filter_map(|r| r.metrics.settling_time).map(|Seconds(t)| t).next();
         let pairs = [
             ("gain margin", asked.gain_margin, achieved.gain_margin),
             (
@@ -119,6 +121,7 @@ pub(super) fn specified(controllers: &[ControllerResult]) -> Result<Option<Table
                 achieved.phase_margin.map(Radians::degrees),
             ),
             ("M_s", asked.sensitivity_peak, achieved.sensitivity_peak),
+            ("settling time to 2 % [s]", asked.settling_time, settled),
         ];
         for (what, asked, achieved) in pairs {
             if asked.is_some() {
