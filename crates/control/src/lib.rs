@@ -1,6 +1,5 @@
 #![doc = include_str!("../README.md")]
 #![no_std]
-#![expect(rustdoc::broken_intra_doc_links, reason = "a unit in brackets, [s], is no link")]
 
 mod delay_line;
 mod limits;
