@@ -1,7 +1,7 @@
-//! Time of one set of margins.
+//! Time of one set of margins, and of the dominant poles.
 
 use divan::{Bencher, black_box};
-use holdup::analysis::frequency::margins;
+use holdup::analysis::frequency::{dominant_poles, margins};
 use holdup::model::{ClosedLoop, Controller, Observer, Process, Seconds};
 
 fn main() {
@@ -71,4 +71,11 @@ fn rising_plateau(bencher: Bencher, gain: f64) {
         .and_then(|c| c.with_filter_bandwidth(1e6))
         .expect("valid");
     run(bencher, &controller);
+}
+
+/// The rightmost poles of the filtered PID loop, proven complete.
+#[divan::bench]
+fn poles(bencher: Bencher) {
+    let closed = ClosedLoop::new(&process(), &pid(Some(100.0)));
+    bencher.bench_local(|| dominant_poles(black_box(&closed)));
 }

@@ -1,5 +1,7 @@
 //! Closed forms and printed numbers of the frequency analysis.
 
+#![expect(clippy::unwrap_used, reason = "helpers of tests")]
+
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 use holdup::analysis::frequency::{Margins, margins};
@@ -85,4 +87,133 @@ fn paper_loops_have_the_margins_that_independent_programs_found() {
     assert_near(m.gain_margin.unwrap(), 2.07, 5e-3);
     assert_near(m.phase_margin.unwrap().degrees(), 32.5, 5e-2);
     assert_near(m.sensitivity_peak.unwrap(), 2.24, 5e-3);
+}
+
+fn pid(kc: f64, ti: f64, td: f64) -> Controller {
+    let pi = Controller::proportional(kc).unwrap().with_integral_time(Seconds(ti)).unwrap();
+    pi.with_derivative_time(Seconds(td)).unwrap()
+}
+
+#[test]
+fn lower_gain_margins_are_those_of_the_architecture() {
+    let observer = Observer::new(0.3).unwrap();
+    let m = of(&plain(1.0, 1.0), &pid(0.3, 8.0, 0.0).with_observer(observer));
+    assert_near(m.gain_margin_low.unwrap(), 0.241, 5e-4);
+    assert_near(m.phase_crossovers[0], 0.168, 5e-4);
+    let m = of(&plain(1.0, 1.0), &pid(0.3, 0.9, 1.2));
+    assert_near(m.gain_margin_low.unwrap(), 0.420, 5e-4);
+    // PI on the plain integrator has none.
+    assert_eq!(of(&plain(1.0, 1.0), &pid(0.3, 8.0, 0.0)).gain_margin_low, None);
+}
+
+#[test]
+fn pi_with_integral_time_up_to_the_dead_time_is_unstable_at_any_gain() {
+    for ti in [0.3, 0.9, 1.0] {
+        for kc in [0.01, 0.1, 0.5, 2.0] {
+            let m = of(&plain(1.0, 1.0), &pid(kc, ti, 0.0));
+            assert!(!m.stable && m.unstable_poles.unwrap() >= 2, "Ti {ti}, Kc {kc}");
+        }
+    }
+    assert!(of(&plain(1.0, 1.0), &pid(0.001, 1.01, 0.0)).stable);
+}
+
+#[test]
+fn neutral_loop_is_limited_by_infinite_frequency() {
+    // |L| rises to its limit 0.95: no finite frequency attains the peaks.
+    let m = of(&plain(1.0, 1.0), &pid(0.95 / 20.0, 30.0, 20.0));
+    assert!(m.stable);
+    let q = m.high_frequency_gain;
+    assert_near(q, 0.95, ROUNDING);
+    assert_eq!(m.gain_margin.unwrap(), 1.0 / q);
+    assert_eq!(m.sensitivity_peak.unwrap(), 1.0 / (1.0 - q));
+    assert_eq!(m.complementary_sensitivity_peak.unwrap(), q / (1.0 - q));
+    assert_eq!((m.sensitivity_peak_frequency, m.complementary_sensitivity_peak_frequency), (None, None));
+    assert!(m.warnings.iter().any(|w| w.contains("limit at infinite frequency")));
+    // |L| falls to its limit: the first phase crossover is worse than the limit.
+    let m = of(
+        &plain(1.0, 1.0),
+        &Controller::proportional(1.4).unwrap().with_derivative_time(Seconds(0.5)).unwrap(),
+    );
+    assert!(m.stable && m.gain_margin.unwrap() < 1.0 / 0.7 && m.sensitivity_peak.unwrap() > 1.0 / 0.3);
+    assert!(m.sensitivity_peak_frequency.is_some());
+    // At 1 and above there are infinitely many unstable poles.
+    for kc in [0.5, 0.6] {
+        let pd = Controller::proportional(kc).unwrap().with_derivative_time(Seconds(2.0)).unwrap();
+        let m = of(&plain(1.0, 1.0), &pd);
+        assert_eq!((m.stable, m.unstable_poles, m.gain_margin), (false, None, None));
+        assert_eq!(m.phase_crossovers.len(), 32);
+    }
+}
+
+#[test]
+fn a_million_rad_per_second_of_bandwidth_changes_little_and_hides_nothing() {
+    for q in [0.7, 0.95] {
+        let ideal = Controller::proportional(q / 2.0).unwrap().with_derivative_time(Seconds(2.0)).unwrap();
+        let filtered = ideal.with_filter_bandwidth(1e6).unwrap();
+        let (a, b) = (of(&plain(1.0, 1.0), &ideal), of(&plain(1.0, 1.0), &filtered));
+        // The filter delays by 1e-6 dead times; M_s amplifies that by up to M_s.
+        assert_near(a.sensitivity_peak.unwrap() / b.sensitivity_peak.unwrap(), 1.0, 1e-4);
+        assert_near(a.gain_margin.unwrap(), b.gain_margin.unwrap(), 1e-6);
+        // Rising from below, |L| has its maximum far up the band, less than the limit of the unfiltered loop
+        // by no more than the filter takes there: both N·Td and ω are large.
+        let far = pid(q / 20.0, 30.0, 20.0).with_filter_bandwidth(1e6).unwrap();
+        let m = of(&plain(1.0, 1.0), &far);
+        assert_near(m.sensitivity_peak.unwrap() * (1.0 - q), 1.0, 1e-5);
+        assert!(m.sensitivity_peak_frequency.unwrap() > 10.0 || q < 0.9);
+    }
+}
+
+#[test]
+fn wrong_sign_of_the_gain_is_one_unstable_pole() {
+    let m = of(&plain(-1.0, 1.0), &Controller::proportional(0.3).unwrap());
+    assert_eq!((m.stable, m.unstable_poles), (false, Some(1)));
+    assert!(m.warnings[0].contains("1 closed-loop pole"));
+    let both = of(&plain(-1.0, 1.0), &Controller::proportional(-0.3).unwrap());
+    assert_eq!(both, of(&plain(1.0, 1.0), &Controller::proportional(0.3).unwrap()));
+}
+
+#[test]
+fn a_pole_on_the_axis_is_not_stable() {
+    let m = of(&plain(1.0, 1.0), &Controller::proportional(FRAC_PI_2).unwrap());
+    assert_eq!((m.stable, m.unstable_poles, m.phase_margin), (false, None, None));
+    assert_near(m.gain_crossovers[0], FRAC_PI_2, ROUNDING);
+}
+
+#[test]
+fn numbers_out_of_reach_are_named_and_none_hangs_or_panics() {
+    let extremes = [1e-300, 1e-100, 1e-30, 1e-9, 1.0, 1e9, 1e30, 1e100, 1e300];
+    for k in extremes {
+        for d in extremes {
+            for (ti, td) in extremes.iter().zip(extremes.iter().rev()) {
+                let answer = margins(&ClosedLoop::new(&plain(k, d), &pid(0.3, *ti, *td)));
+                if let Err(error) = answer {
+                    assert!(error.to_string().contains("1e-100"), "{error}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn json_has_the_names_of_the_contract() {
+    let m = of(&plain(1.0, 1.0), &Controller::proportional(0.5).unwrap());
+    let json = serde_json::to_value(&m).unwrap();
+    for name in [
+        "stable",
+        "gain_margin",
+        "gain_margin_low",
+        "phase_margin_deg",
+        "delay_margin_s",
+        "delay_margin_low_s",
+        "gain_crossovers_rad_s",
+        "phase_crossovers_rad_s",
+        "sensitivity_peak",
+        "sensitivity_peak_rad_s",
+        "complementary_sensitivity_peak",
+        "high_frequency_gain",
+    ] {
+        assert!(json.get(name).is_some(), "{name}");
+    }
+    assert_eq!(json["phase_margin_deg"].as_f64(), m.phase_margin.map(holdup::model::Radians::degrees));
+    assert!(json.get("warnings").is_none());
 }

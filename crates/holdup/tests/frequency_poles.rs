@@ -3,7 +3,7 @@
 use holdup::analysis::frequency::{Pole, dominant_poles, margins};
 use holdup::model::{ClosedLoop, Controller, Observer, Process, Seconds};
 
-/// Poles of the proportional loop: s·d = W_k(−K·Kc·d), from right to left.
+/// Poles of the proportional loop: `s·d = W_k(−K·Kc·d)`, from right to left.
 fn lambert(gain: f64, d: f64) -> Vec<Pole> {
     let mut poles: Vec<Pole> = (-6..=5)
         .map(|k| lambert_w::lambert_w(k, -gain * d, 0.0, 1e-15))

@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use holdup::model::{Controller, Process, Seconds};
+use holdup::model::{Controller, DerivativeFilter, Process, Seconds};
 use holdup::tuning::{Applies, Default, Entry, Parameters, Status, Unit, evaluate, rule, rules};
 
 fn root() -> &'static Path {
@@ -48,7 +48,7 @@ fn settings(controller: &Controller) -> [f64; 7] {
         controller.proportional_gain(),
         controller.integral_time().unwrap_or(none),
         controller.derivative_time().unwrap_or(none),
-        controller.derivative_filter().map_or(none, |filter| filter.time()),
+        controller.derivative_filter().map_or(none, DerivativeFilter::time),
         controller.observer().map_or(none, |observer| observer.gain()),
         controller.output_filter().map_or(none, |filter| filter.a1),
         controller.output_filter().map_or(none, |filter| filter.a2),
@@ -79,8 +79,8 @@ fn assert_same(entry: &Entry, left: [f64; 7], right: [f64; 7]) {
 fn registry_is_in_step_with_its_folder() {
     let folder = root().join("src/tuning/rules");
     let stems = stems(&folder, "rs");
-    let modules: String = stems.iter().map(|stem| format!("mod {stem};\n")).collect();
-    let list: String = stems.iter().map(|stem| format!("    &{stem}::ENTRY,\n")).collect();
+    let modules: String = stems.iter().fold(String::new(), |all, stem| all + "mod " + stem + ";\n");
+    let list: String = stems.iter().fold(String::new(), |all, stem| all + "    &" + stem + "::ENTRY,\n");
     let right = format!(
         "//! The registered rules, one file each.\n//!\n//! A test (`tests/rules.rs`) keeps the lines below in step with \
          the folder: never edit them by hand.\n\nuse super::Entry;\n\n{modules}\n/// Every rule.\n#[rustfmt::skip]\n\
@@ -160,6 +160,36 @@ fn every_parameter_says_its_unit_its_default_and_its_range() {
                 let error =
                     entry.tune(&process, &Parameters::new().set(parameter.name, outside)).unwrap_err();
                 assert!(error.to_string().contains("must be"), "{name}: {error}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_controller_has_the_structure_that_the_list_says() {
+    for entry in rules() {
+        let process = example(entry.process, 0.7, 1.3, 2.1);
+        let tuning = entry.tune(&process, &question(entry)).unwrap();
+        assert_eq!(tuning.controller.structure(), entry.structure, "{}", entry.id);
+        assert!(!tuning.published.settings.is_empty(), "{}", entry.id);
+    }
+}
+
+#[test]
+fn extreme_processes_and_parameters_give_an_answer_or_an_error_but_no_panic() {
+    let extremes = [1e-300, 1e-9, 1.0, 1e9, 1e300];
+    for entry in rules() {
+        for gain in extremes {
+            for dead_time in extremes {
+                let process = example(entry.process, -gain, dead_time, 1.0);
+                let _ = entry.tune(&process, &question(entry));
+            }
+        }
+        let process = example(entry.process, 0.7, 1.3, 2.1);
+        // Simulations with an extreme settling time are slow; its range is tested with the exact tuning.
+        for parameter in entry.parameters.iter().filter(|parameter| parameter.name != "Ts") {
+            for value in [-1.0, 0.0, 1e-12, 0.999_999, 1.000_001, 89.0, 1e12, f64::MAX] {
+                let _ = entry.tune(&process, &question(entry).set(parameter.name, value));
             }
         }
     }

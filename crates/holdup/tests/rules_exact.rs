@@ -5,6 +5,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use holdup::analysis::frequency::{Margins, margins};
+use holdup::analysis::response::{Scenario, simulate};
 use holdup::model::{ClosedLoop, Controller, Process, Seconds};
 use holdup::tuning::{Infeasible, Parameters, RuleError, Tuning, rule};
 
@@ -95,6 +96,60 @@ fn both_margins_are_met_with_a_derivative_filter_too() {
             assert!((found.phase_margin.unwrap().0 - phi).abs() < 1e-9, "{found:?}");
         }
     }
+}
+
+/// Settling time [s] of a unit setpoint step over a long horizon.
+fn settling_time(controller: &Controller) -> f64 {
+    let step = Scenario::unit_setpoint_step(Seconds(600.0)).unwrap();
+    let response = simulate(&ClosedLoop::new(&process(), controller), &step).unwrap();
+    response.metrics.settling_time.unwrap().0
+}
+
+#[test]
+fn settling_time_and_a_margin_are_met_by_every_solution() {
+    // A slow filter makes the simulations cheap; one case has the filter of the rule.
+    let slow = Some(1.0);
+    for (margin, value, ts, n) in [
+        ("Am", 3.0, 30.0, None),
+        ("Am", 2.0, 32.0, slow),
+        ("Am", 4.0, 70.0, slow),
+        ("phi_m", 1.2, 30.0, slow),
+        ("phi_m", 1.8, 120.0, slow),
+    ] {
+        let mut set = vec![(margin, value), ("Ts", ts)];
+        set.extend(n.map(|n| ("N", n)));
+        let tuning = ask("pd-exact", &set).unwrap();
+        let mut peak = 0.0;
+        for controller in std::iter::once(&tuning.controller).chain(&tuning.alternatives) {
+            let found = achieved(controller);
+            let margin =
+                if margin == "Am" { found.gain_margin } else { found.phase_margin.map(|phase| phase.0) };
+            assert!((margin.unwrap() - value).abs() < 1e-9);
+            // 1e-6 dead times is what is promised.
+            assert!((settling_time(controller) - ts).abs() < 6e-6, "{} {ts}", settling_time(controller));
+            assert_eq!(controller.derivative_filter().unwrap().bandwidth(), n.unwrap_or(100.0 / 6.0));
+            assert!(found.sensitivity_peak.unwrap() >= peak, "the least peak comes first");
+            peak = found.sensitivity_peak.unwrap();
+        }
+    }
+}
+
+#[test]
+fn a_settling_time_in_a_jump_names_both_sides_and_they_are_feasible() {
+    let answer = infeasible(ask("pd-exact", &[("Am", 2.0), ("Ts", 40.0)]));
+    let [below, above] = [0, 1].map(|side| answer.nearest[side].settling_time.unwrap());
+    assert!(below < 40.0 && above > 40.0);
+    assert!(ask("pd-exact", &[("Am", 2.0), ("Ts", below - 1e-3)]).is_ok());
+    assert!(ask("pd-exact", &[("Am", 2.0), ("Ts", above + 1e-3)]).is_ok());
+}
+
+#[test]
+fn a_settling_time_below_the_least_names_the_least() {
+    let answer = infeasible(ask("pd-exact", &[("Am", 3.0), ("Ts", 12.0), ("N", 1.0)]));
+    let least = answer.nearest[0].settling_time.unwrap();
+    assert!(answer.reason.contains("least"));
+    assert!(ask("pd-exact", &[("Am", 3.0), ("Ts", least + 1e-3), ("N", 1.0)]).is_ok());
+    assert!(ask("pd-exact", &[("Am", 3.0), ("Ts", least - 1e-3), ("N", 1.0)]).is_err());
 }
 
 #[test]

@@ -1,16 +1,16 @@
 //! `holdup compare`: a study, as tables, report, figure or data.
 
-use std::path::Path;
-
 use holdup::analysis::metrics::METRICS as COLUMNS;
 use holdup::analysis::response::{plot_times, trajectory};
 use holdup::model::{ClosedLoop, Process, Radians};
 use holdup::study::figures::{Figure, terminal};
+use holdup::study::published::reproduce;
+use holdup::study::report::report as page_of;
 use holdup::study::{
-    ControllerResult, FamilyResult, Row, ScenarioResult, StudyResult, read_study, run_study,
+    ControllerResult, FamilyResult, Row, ScenarioResult, Study, StudyResult, read_study, run_study,
 };
 
-use super::view::{METRICS, check_kind, controller_line, figure_file, process_line, response_figure};
+use super::view::{METRICS, check_kind, figure_file, process_line, response_figure};
 use crate::args::CompareArgs;
 use crate::console::{Answer, Console};
 use crate::fault::Fault;
@@ -36,7 +36,7 @@ pub(crate) fn run(args: &CompareArgs, console: Console) -> Result<Answer, Fault>
         files.push((path.clone(), figure_file(path, &figure)?));
     }
     if let Some(path) = &args.report {
-        files.push((path.clone(), report(path, &study, &result)?));
+        files.push((path.clone(), report(&study, &result)?));
     }
     let text = if console.json { String::new() } else { text(&study.process, &result, console)? };
     let json = serde_json::to_value(&result).map_err(Fault::input)?;
@@ -212,8 +212,9 @@ fn csv(result: &StudyResult) -> Vec<u8> {
     text.into_bytes()
 }
 
-/// The report page.
-fn report(path: &Path, _: &holdup::study::Study, _: &StudyResult) -> Result<Vec<u8>, Fault> {
-    let _ = (path, controller_line);
-    Err(Fault::option("--report", "is not built yet"))
+/// The report page, with the judgement of the paper that the study recomputes.
+fn report(study: &Study, result: &StudyResult) -> Result<Vec<u8>, Fault> {
+    let reproduction = study.recomputes.as_deref().map(reproduce).transpose().map_err(Fault::input)?;
+    let page = page_of(&study.process, result, reproduction.as_ref()).map_err(Fault::input)?;
+    Ok(page.html().into_bytes())
 }

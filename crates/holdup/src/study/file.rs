@@ -23,11 +23,12 @@
 //!
 //! A controller has the keys of the [loop file](crate::model::loop_file), or `rule` with `parameters`; beside
 //! a rule the keys of filters, weights and observer may stand and replace what the rule gives. `scenarios`
-//! restricts it to those named. A `[[family]]` runs one rule with one parameter varied: `name`, `rule`,
+//! restricts it to those named. `recomputes` names the published study whose printed numbers the report judges. A `[[family]]` runs one rule with one parameter varied: `name`, `rule`,
 //! `parameters`, `vary`, `values`, `scenario`. `about` is free text, anywhere.
 
 use std::collections::BTreeSet;
 
+use super::published::PAPERS;
 use super::{Choice, Family, Study, StudyController, StudyScenario};
 use crate::analysis::response::{Scenario, ScenarioError};
 use crate::model::loop_file::{controller_section, extra_keys, extras_section, process_section, term_keys};
@@ -55,7 +56,7 @@ use crate::tuning::{Parameters, RuleError, rule};
 pub fn read_study(text: &str) -> Result<Study, TextError> {
     let document = Document::parse(text)?;
     let root = document.root();
-    root.only(&["title", "about", "process", "controller", "scenario", "family"])?;
+    root.only(&["title", "about", "recomputes", "process", "controller", "scenario", "family"])?;
     let process = process_section(&root.require_section("process")?)?;
     let scenarios = unique(root.sections("scenario")?, scenario, |scenario| &scenario.name)?;
     if scenarios.is_empty() {
@@ -72,11 +73,21 @@ pub fn read_study(text: &str) -> Result<Study, TextError> {
     Ok(Study {
         title: root.text("title")?.unwrap_or_else(|| "Study".to_owned()),
         about: root.text("about")?,
+        recomputes: recomputes(&root)?,
         process,
         controllers,
         scenarios,
         families,
     })
+}
+
+/// The published study that this one recomputes.
+fn recomputes(root: &Section<'_>) -> Result<Option<String>, TextError> {
+    let Some(paper) = root.text("recomputes")? else { return Ok(None) };
+    if PAPERS.iter().any(|(known, _)| *known == paper) {
+        return Ok(Some(paper));
+    }
+    Err(root.refuse("recomputes", &paper, "a published study that `holdup reproduce` knows"))
 }
 
 /// Reads tables of one kind, whose names differ.

@@ -4,6 +4,8 @@ pub mod figures;
 mod file;
 pub mod output;
 pub mod published;
+#[cfg(feature = "report")]
+pub mod report;
 mod run;
 
 use crate::analysis::response::Scenario;
@@ -23,6 +25,8 @@ pub struct Study {
     pub title: String,
     /// What it is about.
     pub about: Option<String>,
+    /// Identifier of the published study whose printed numbers it recomputes.
+    pub recomputes: Option<String>,
     /// The process that all controllers control.
     pub process: Process,
     /// The controllers, their names all different; at least one.

@@ -189,6 +189,8 @@ pub enum Form {
     Series,
     /// As series, the whole output filtered by `1/(Tf·s + 1)`.
     SeriesOutputFilter,
+    /// `Kc·(1 + 1/(Ti·s))·(1 + Td·s)/(Tf·s + 1)`: the lead of the series form filtered.
+    SeriesFilteredLead,
 }
 
 impl Form {
@@ -202,6 +204,7 @@ impl Form {
             Self::SeriesOutputFilter => {
                 "series with output filter: Kc (1 + 1/(Ti s)) (1 + Td s) / (Tf s + 1)"
             }
+            Self::SeriesFilteredLead => "series with filtered lead: Kc (1 + 1/(Ti s)) (1 + Td s)/(Tf s + 1)",
         }
     }
 }

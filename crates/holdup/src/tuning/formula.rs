@@ -65,6 +65,13 @@ fn controller(
     let (kc, ti, td) = (setting("Kc").unwrap_or(f64::NAN) * sign, setting("Ti"), setting("Td"));
     let series = matches!(form, Form::Series | Form::SeriesOutputFilter);
     let (kc, ti, td) = match (series, ti, td) {
+        // The filtered lead is an ideal form with the same filter on the derivative action: comparing the powers
+        // of s in Kc·(Ti·s + 1)·(Td·s + 1)/(Ti·s·(Tf·s + 1)) gives its three settings. Td ≥ 0 where Tf ≤ Td.
+        _ if form == Form::SeriesFilteredLead => {
+            let (tf, ti, td) = (setting("Tf").unwrap_or(0.0), ti.unwrap_or(f64::NAN), td.unwrap_or(0.0));
+            let sum = ti + td - tf;
+            (kc * sum / ti, Some(sum), Some((ti - tf) * (td - tf) / sum))
+        }
         (true, Some(ti), Some(td)) => (kc * (1.0 + td / ti), Some(ti + td), Some(ti * td / (ti + td))),
         _ => (kc, ti, td),
     };
@@ -79,7 +86,7 @@ fn controller(
         controller = controller.with_filter_bandwidth(n)?;
     }
     match (form, setting("Tf"), setting("a1"), setting("a2")) {
-        (Form::Ideal | Form::Series, Some(tf), _, _) => {
+        (Form::Ideal | Form::Series | Form::SeriesFilteredLead, Some(tf), _, _) => {
             controller = controller.with_filter_time(Seconds(tf))?;
         }
         (_, Some(tf), _, _) => controller = controller.with_output_filter(tf, 0.0)?,

@@ -16,6 +16,7 @@ use serde::Serialize;
 
 use crate::model::Controller;
 
+mod achieved;
 mod entry;
 mod error;
 mod exact;

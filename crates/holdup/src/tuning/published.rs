@@ -4,10 +4,12 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
+use super::achieved::achieved;
 use super::entry::Entry;
 use super::expression::evaluate;
 use super::parameters::Parameters;
-use crate::model::{Process, Seconds};
+use crate::analysis::frequency::margins;
+use crate::model::{ClosedLoop, Process, Radians, Seconds};
 
 /// The file `tests/rules/<id>.toml`.
 #[derive(Debug, Deserialize)]
@@ -53,7 +55,7 @@ impl std::default::Default for Example {
 /// A published value beside the computed one.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Judgement {
-    /// What is compared: a formula in the settings and in K, d, T.
+    /// What is compared: a formula in the settings, in K, d, T, and in what the loop achieves (`sensitivity_peak` …).
     pub what: String,
     /// The value as printed.
     pub printed: String,
@@ -97,13 +99,31 @@ impl Entry {
         let parameters =
             value.set.iter().fold(Parameters::new(), |set, (name, v)| set.set(name.as_str(), *v));
         let tuning = self.tune(&process, &parameters).map_err(|error| error.to_string())?;
+        let names = ["Ms", "Mt", "GM", "PM_deg", "DM"];
+        let achieved = if names.iter().any(|name| value.what.contains(name)) {
+            let closed = ClosedLoop::new(&process, &tuning.controller);
+            Some(margins(&closed).map_err(|error| error.to_string())?)
+        } else {
+            None
+        };
+        let property = |name: &str| {
+            let achieved = achieved.as_ref()?;
+            match name {
+                "Ms" => achieved.sensitivity_peak,
+                "Mt" => achieved.complementary_sensitivity_peak,
+                "GM" => achieved.gain_margin,
+                "PM_deg" => achieved.phase_margin.map(Radians::degrees),
+                "DM" => achieved.delay_margin.map(|Seconds(time)| time),
+                _ => None,
+            }
+        };
         let setting = |name: &str| {
             let found = tuning.published.settings.iter().find(|setting| setting.name == name);
             found.map(|setting| setting.value).or(match name {
                 "K" => Some(process.process_gain()),
                 "d" => Some(process.dead_time()),
                 "T" => process.lag(),
-                _ => value.set.get(name).copied(),
+                _ => value.set.get(name).copied().or_else(|| achieved(name, &process, &tuning.controller)),
             })
         };
         let computed = evaluate(&value.what, &setting).map_err(|error| error.to_string())?;

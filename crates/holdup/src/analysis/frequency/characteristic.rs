@@ -130,7 +130,7 @@ impl Matrix {
             }
             // The permutation's sign: one inversion for every larger column used in an earlier row.
             let inversions = (used >> (column + 1)).count_ones();
-            let sign = if inversions % 2 == 0 { 1.0 } else { -1.0 };
+            let sign = if inversions.is_multiple_of(2) { 1.0 } else { -1.0 };
             let product = Monomial {
                 value: sign * so_far.value * entry.value,
                 power: so_far.power + entry.power,

@@ -17,6 +17,8 @@ pub(super) struct Functions {
     reduced: QuasiPolynomial,
     order_at_zero: usize,
     pub(super) longest_delay: f64,
+    /// Longest minus shortest delay of N: how fast |N| may oscillate.
+    pub(super) spread: f64,
 }
 
 /// Everything at one frequency: jets in ω.
@@ -27,10 +29,10 @@ pub(super) struct Point {
     pub(super) numerator: Jet,
     /// D.
     pub(super) denominator: Jet,
+    /// N.
+    delayed: Jet,
     /// Δ = N + D.
     pub(super) closed: Jet,
-    /// L·|D|²/ωᵏ: L up to a positive factor.
-    pub(super) direction: Jet,
 }
 
 /// Bounds of the derivatives 0 to 3 on |ω| ≤ the upper end of an interval.
@@ -38,8 +40,10 @@ pub(super) struct Point {
 pub(super) struct Bounds {
     numerator: [f64; 4],
     denominator: [f64; 4],
-    closed: [f64; 4],
-    direction: [f64; 4],
+    /// Of N·conj(D), rotation included.
+    cross: [f64; 4],
+    /// Of N itself.
+    delayed: [f64; 4],
 }
 
 impl Functions {
@@ -47,6 +51,7 @@ impl Functions {
         let shortest_delay = characteristic.numerator.shortest_delay();
         let order_at_zero = characteristic.denominator.order_at_zero();
         Self {
+            spread: characteristic.numerator.longest_delay() - shortest_delay,
             numerator: characteristic.numerator.advanced(shortest_delay),
             shortest_delay,
             denominator: characteristic.denominator.clone(),
@@ -61,15 +66,41 @@ impl Functions {
         let denominator = self.denominator.on_axis(omega);
         let delayed = rotated(numerator, self.shortest_delay, omega);
         let closed = std::array::from_fn(|i| delayed[i] + denominator[i]);
-        Point { omega, numerator, denominator, closed, direction: self.direction_of(delayed, omega) }
+        Point { omega, numerator, denominator, delayed, closed }
     }
 
     /// L·|D|²/ωᵏ alone.
     pub(super) fn direction(&self, omega: f64) -> Jet {
-        self.direction_of(rotated(self.numerator.on_axis(omega), self.shortest_delay, omega), omega)
+        self.turned(rotated(self.numerator.on_axis(omega), self.shortest_delay, omega), omega)
     }
 
-    fn direction_of(&self, delayed: Jet, omega: f64) -> Jet {
+    /// The same at a point already evaluated.
+    pub(super) fn direction_at(&self, point: &Point) -> Jet {
+        self.turned(point.delayed, point.omega)
+    }
+
+    /// For L·|D|²/ωᵏ up to the frequency `omega`: the bound of its third derivative and its rounding error.
+    pub(super) fn direction_bounds(&self, bounds: &Bounds, omega: f64) -> (f64, f64) {
+        let direction = product_bounds(&bounds.delayed, &self.reduced.magnitudes(omega));
+        (direction[3], ROUNDING * direction[0])
+    }
+
+    /// |L|.
+    pub(super) fn gain(&self, omega: f64) -> f64 {
+        let squared = |q: &QuasiPolynomial| q.on_axis(omega)[0].norm_sqr();
+        (squared(&self.numerator) / squared(&self.denominator)).sqrt()
+    }
+
+    /// |N|² − |D|², positive where |L| > 1, with its bound of the third derivative and its rounding error up to
+    /// the frequency `end`.
+    pub(super) fn gain_excess(&self, omega: f64, end: f64) -> (Quadratic, f64, f64) {
+        let (n, d) = (self.numerator.on_axis(omega), self.denominator.on_axis(omega));
+        let bounds = |q: &QuasiPolynomial| squared_bounds(&q.magnitudes(end));
+        let (n_bounds, d_bounds) = (bounds(&self.numerator), bounds(&self.denominator));
+        (difference(squared(&n), squared(&d)), n_bounds.0 + d_bounds.0, n_bounds.1 + d_bounds.1)
+    }
+
+    fn turned(&self, delayed: Jet, omega: f64) -> Jet {
         let turn = |z: Complex<f64>| match self.order_at_zero % 4 {
             0 => z,
             1 => Complex::new(z.im, -z.re),
@@ -83,20 +114,12 @@ impl Functions {
     pub(super) fn bounds(&self, omega: f64) -> Bounds {
         let numerator = self.numerator.magnitudes(omega);
         let denominator = self.denominator.magnitudes(omega);
-        let reduced = if self.order_at_zero == 0 { denominator } else { self.reduced.magnitudes(omega) };
         let t = self.shortest_delay;
         let [n0, n1, n2, n3] = numerator;
         let delayed =
             [n0, n1 + t * n0, n2 + t * (2.0 * n1 + t * n0), n3 + t * (3.0 * n2 + t * (3.0 * n1 + t * n0))];
-        let closed = std::array::from_fn(|i| delayed[i] + denominator[i]);
-        let [p, q] = [delayed, reduced];
-        let direction = [
-            p[0] * q[0],
-            p[1] * q[0] + p[0] * q[1],
-            p[2] * q[0] + 2.0 * p[1] * q[1] + p[0] * q[2],
-            p[3] * q[0] + 3.0 * (p[2] * q[1] + p[1] * q[2]) + p[0] * q[3],
-        ];
-        Bounds { numerator, denominator, closed, direction }
+        let cross = product_bounds(&delayed, &denominator);
+        Bounds { numerator, denominator, cross, delayed }
     }
 }
 
@@ -104,6 +127,28 @@ impl Functions {
 fn product(a: Jet, b: Jet) -> Jet {
     let b = b.map(|z| z.conj());
     [a[0] * b[0], a[1] * b[0] + a[0] * b[1], a[2] * b[0] + a[1] * b[1] * 2.0 + a[0] * b[2]]
+}
+
+/// Imaginary part along the axis.
+pub(super) fn imaginary(jet: &Jet) -> Quadratic {
+    let [f, df, ddf] = jet.map(|z| z.im);
+    Quadratic { f, df, ddf }
+}
+
+/// Real part along the axis.
+pub(super) fn real(jet: &Jet) -> Quadratic {
+    let [f, df, ddf] = jet.map(|z| z.re);
+    Quadratic { f, df, ddf }
+}
+
+/// Bounds of the derivatives of a product.
+fn product_bounds(p: &[f64; 4], q: &[f64; 4]) -> [f64; 4] {
+    [
+        p[0] * q[0],
+        p[1] * q[0] + p[0] * q[1],
+        p[2] * q[0] + 2.0 * p[1] * q[1] + p[0] * q[2],
+        p[3] * q[0] + 3.0 * (p[2] * q[1] + p[1] * q[2]) + p[0] * q[3],
+    ]
 }
 
 /// |z|² along the axis.
@@ -119,6 +164,10 @@ fn squared(z: &Jet) -> Quadratic {
 /// `p − q`, term by term.
 fn difference(p: Quadratic, q: Quadratic) -> Quadratic {
     Quadratic { f: p.f - q.f, df: p.df - q.df, ddf: p.ddf - q.ddf }
+}
+
+fn sum(p: Quadratic, q: Quadratic) -> Quadratic {
+    Quadratic { f: p.f + q.f, df: p.df + q.df, ddf: p.ddf + q.ddf }
 }
 
 fn scaled(factor: f64, q: Quadratic) -> Quadratic {
@@ -143,36 +192,38 @@ pub(super) enum Peak {
 }
 
 impl Point {
-    /// |L|.
-    pub(super) fn gain(&self) -> f64 {
-        self.numerator[0].norm() / self.denominator[0].norm()
-    }
-
-    /// |N|² − |D|²: positive where |L| > 1.
-    pub(super) fn gain_excess(&self) -> Quadratic {
-        difference(squared(&self.numerator), squared(&self.denominator))
-    }
-
-    /// Imaginary part of L up to a positive factor.
-    pub(super) fn imaginary(&self) -> Quadratic {
-        let [f, df, ddf] = self.direction.map(|z| z.im);
-        Quadratic { f, df, ddf }
-    }
-
-    /// Real part of L up to the same factor.
-    pub(super) fn real(&self) -> Quadratic {
-        let [f, df, ddf] = self.direction.map(|z| z.re);
-        Quadratic { f, df, ddf }
-    }
-
     /// `level²·|Δ|² − |D or N|²`: positive where |S| or |T| is less than `level`.
+    ///
+    /// Where L is small (or large) Δ and its top are nearly equal: the difference is then formed term by term,
+    /// `(level² − 1)·|D|² + level²·(|N|² + 2·Re(N·conj D))` for S, with D and N exchanged for T.
     pub(super) fn below(&self, peak: Peak, level: f64) -> Quadratic {
-        difference(scaled(level * level, squared(&self.closed)), squared(self.top(peak)))
+        let (top, other) = self.top_and_other(peak);
+        let square = level * level;
+        if !self.top_prevails(peak) {
+            return difference(scaled(square, squared(&self.closed)), squared(top));
+        }
+        let cross = product(self.delayed, self.denominator).map(|z| 2.0 * z.re);
+        let [f, df, ddf] = cross;
+        let rest = sum(squared(other), Quadratic { f, df, ddf });
+        sum(scaled((level - 1.0) * (level + 1.0), squared(top)), scaled(square, rest))
+    }
+
+    /// Whether |D| (for S) or |N| (for T) is well above the other.
+    fn top_prevails(&self, peak: Peak) -> bool {
+        let (top, other) = self.top_and_other(peak);
+        top[0].norm_sqr() > 4.0 * other[0].norm_sqr()
+    }
+
+    fn top_and_other(&self, peak: Peak) -> (&Jet, &Jet) {
+        match peak {
+            Peak::Sensitivity => (&self.denominator, &self.numerator),
+            Peak::Complementary => (&self.numerator, &self.denominator),
+        }
     }
 
     /// |S| or |T|.
     pub(super) fn peak_value(&self, peak: Peak) -> f64 {
-        self.top(peak)[0].norm() / self.closed[0].norm()
+        (self.top_and_other(peak).0[0].norm_sqr() / self.closed[0].norm_sqr()).sqrt()
     }
 
     /// First and second derivative of ln|S| or ln|T| in ω.
@@ -181,37 +232,29 @@ impl Point {
             let first = 0.5 * q.df / q.f;
             (first, 0.5 * q.ddf / q.f - 2.0 * first * first)
         };
-        let (top, bottom) = (log(squared(self.top(peak))), log(squared(&self.closed)));
+        let (top, bottom) = (log(squared(self.top_and_other(peak).0)), log(squared(&self.closed)));
         (top.0 - bottom.0, top.1 - bottom.1)
-    }
-
-    fn top(&self, peak: Peak) -> &Jet {
-        match peak {
-            Peak::Sensitivity => &self.denominator,
-            Peak::Complementary => &self.numerator,
-        }
     }
 }
 
 /// For each function its bound of the third derivative and its rounding error.
 impl Bounds {
-    pub(super) fn gain_excess(&self) -> (f64, f64) {
-        let (n, d) = (squared_bounds(&self.numerator), squared_bounds(&self.denominator));
-        (n.0 + d.0, n.1 + d.1)
-    }
-
-    pub(super) fn direction(&self) -> (f64, f64) {
-        (self.direction[3], ROUNDING * self.direction[0])
-    }
-
     pub(super) fn below(&self, peak: Peak, level: f64, point: &Point) -> (f64, f64) {
-        let top = match peak {
-            Peak::Sensitivity => &self.denominator,
-            Peak::Complementary => &self.numerator,
+        let (n, d) = (squared_bounds(&self.numerator), squared_bounds(&self.denominator));
+        let (top, other) = match peak {
+            Peak::Sensitivity => (d, n),
+            Peak::Complementary => (n, d),
         };
-        let (c, t) = (squared_bounds(&self.closed), squared_bounds(top));
-        // Near a pole Δ is a small difference: the error of |Δ|² is that of Δ times |Δ|.
-        let closed = ROUNDING * self.closed[0] * (point.closed[0].norm() + ROUNDING * self.closed[0]);
-        (level * level * c.0 + t.0, level * level * closed + t.1)
+        let (square, excess) = (level * level, (level - 1.0) * (level + 1.0));
+        let third = excess * top.0 + square * (other.0 + 2.0 * self.cross[3]);
+        let rounding = if point.top_prevails(peak) {
+            excess * top.1 + square * (other.1 + 2.0 * ROUNDING * self.cross[0])
+        } else {
+            // Near a pole Δ is a small difference: the error of |Δ|² is that of Δ times |Δ|.
+            let magnitude = self.numerator[0] + self.denominator[0];
+            let closed = ROUNDING * magnitude * (point.closed[0].norm() + ROUNDING * magnitude);
+            square * closed + top.1
+        };
+        (third, rounding)
     }
 }

@@ -9,12 +9,15 @@ use super::envelope::{Envelope, Steady};
 use super::error::FrequencyError;
 use super::functions::Functions;
 use super::scan::{Findings, LISTED, Scan};
-use super::winding;
+use super::winding::{self, Uncounted};
 use crate::model::{ClosedLoop, Radians, Seconds};
+
+/// Bands of an octave through which Δ is followed before the verdict is given up.
+const WORK: usize = 400_000;
 
 /// What a loop achieves, broken at the process input: stability, margins, crossovers and peaks.
 ///
-/// Made by [`margins`] only. Of an unstable loop the margins and peaks are `None`, the crossovers are listed.
+/// Gain and dead time vary in the process alone: an observer keeps its model. Made by [`margins`] only. Of an unstable loop the margins and peaks are `None`, the crossovers are listed.
 /// Serialises with the names and units of the JSON contract; the warnings are not part of that.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
@@ -40,7 +43,7 @@ pub struct Margins {
     pub phase_crossovers: Vec<f64>,
     /// Sensitivity peak `M_s` [–], the supremum of |1/(1 + L)|.
     pub sensitivity_peak: Option<f64>,
-    /// Frequency of the sensitivity peak [rad/s]; `None` where it is a limit that no frequency attains.
+    /// Frequency of the sensitivity peak [rad/s], one of them where peaks agree to 1e-11; `None` where it is a limit that no frequency attains.
     pub sensitivity_peak_frequency: Option<f64>,
     /// Complementary sensitivity peak `M_t` [–], the supremum of |L/(1 + L)|.
     pub complementary_sensitivity_peak: Option<f64>,
@@ -48,8 +51,8 @@ pub struct Margins {
     pub complementary_sensitivity_peak_frequency: Option<f64>,
     /// High-frequency gain |L(j∞)| [–]: K·Kc·Td of an unfiltered derivative on the plain integrator, else 0.
     pub high_frequency_gain: f64,
-    /// Number of closed-loop poles with positive real part; `None` where one lies on the imaginary axis or
-    /// infinitely many lie to its right.
+    /// Number of closed-loop poles with positive real part; `None` where one lies on the imaginary axis,
+    /// where there are infinitely many or where they could not be counted: the warnings say which.
     pub unstable_poles: Option<usize>,
     /// What a reader of the numbers has to know, one sentence each.
     pub warnings: Vec<String>,
@@ -75,8 +78,8 @@ pub fn margins(closed_loop: &ClosedLoop) -> Result<Margins, FrequencyError> {
     let characteristic = Characteristic::new(closed_loop)?;
     let envelope = Envelope::new(&characteristic);
     let functions = Functions::new(&characteristic);
-    let unstable_poles = winding::unstable_poles(&characteristic, &envelope);
-    let stable = unstable_poles == Some(0);
+    let unstable_poles = winding::unstable_poles(&characteristic, &envelope, WORK);
+    let stable = unstable_poles == Ok(0);
     let limit = characteristic.high_frequency_gain;
     let steady = Steady::new(&characteristic);
     let found = Scan::new(&functions, &envelope, &steady, limit, stable).run();
@@ -87,17 +90,17 @@ fn assemble(
     characteristic: &Characteristic,
     functions: &Functions,
     found: &Findings,
-    unstable_poles: Option<usize>,
+    unstable_poles: Result<usize, Uncounted>,
 ) -> Margins {
     let d = characteristic.dead_time;
-    let stable = unstable_poles == Some(0);
+    let stable = unstable_poles == Ok(0);
     let in_seconds = |list: &[f64]| list.iter().map(|omega| omega / d).collect::<Vec<_>>();
     let when_stable = |value: Option<f64>| value.filter(|_| stable);
     let phases: Vec<(f64, f64)> = found
         .gain_crossovers
         .iter()
         .map(|&omega| {
-            let direction = functions.at(omega).direction[0];
+            let direction = functions.direction(omega)[0];
             (omega, (-direction).arg())
         })
         .collect();
@@ -125,28 +128,35 @@ fn assemble(
         complementary_sensitivity_peak: when_stable(Some(found.complementary.value)),
         complementary_sensitivity_peak_frequency: peak_at(found.complementary.omega),
         high_frequency_gain: characteristic.high_frequency_gain,
-        unstable_poles,
+        unstable_poles: unstable_poles.ok(),
         warnings: warnings(characteristic, found, unstable_poles),
     }
 }
 
-fn warnings(characteristic: &Characteristic, found: &Findings, unstable_poles: Option<usize>) -> Vec<String> {
+fn warnings(
+    characteristic: &Characteristic,
+    found: &Findings,
+    unstable_poles: Result<usize, Uncounted>,
+) -> Vec<String> {
     let limit = characteristic.high_frequency_gain;
     let mut sentences = Vec::new();
     match unstable_poles {
-        Some(0) => {}
-        Some(1) => sentences
+        Ok(0) => {}
+        Ok(1) => sentences
             .push("The loop is unstable: 1 closed-loop pole in the right half plane; it has no margins.".into()),
-        Some(n) => sentences
+        Ok(n) => sentences
             .push(format!("The loop is unstable: {n} closed-loop poles in the right half plane; it has no margins.")),
-        None if limit >= 1.0 => sentences.push(format!(
+        Err(Uncounted::Infinite) => sentences.push(format!(
             "The loop is unstable: its gain at infinite frequency is {limit}, and 1 or more makes infinitely many unstable poles; it has no margins."
         )),
-        None => sentences.push(
-            "The loop is not stable: a closed-loop pole lies on the imaginary axis; it has no margins.".into(),
+        Err(Uncounted::OnAxis) => sentences.push(
+            "The loop is not stable: a closed-loop pole lies on the imaginary axis, or too near to tell; it has no margins.".into(),
+        ),
+        Err(Uncounted::GivenUp) => sentences.push(
+            "The loop is not proven stable: its frequencies reach too far beyond its dead time to be followed; no margins are given.".into(),
         ),
     }
-    if unstable_poles == Some(0) {
+    if unstable_poles == Ok(0) {
         if found.gain_crossovers.is_empty() {
             sentences.push("The loop gain never is 1: phase margin and delay margin are infinite.".into());
         }

@@ -13,6 +13,9 @@ use super::error::FrequencyError;
 use super::winding;
 use crate::model::ClosedLoop;
 
+/// Bands of an octave through which Δ is followed: where more are needed the line moves.
+const WORK: usize = 10_000;
+
 /// Most poles listed.
 const MOST: usize = 8;
 
@@ -81,7 +84,7 @@ fn count(loop_: &Characteristic, decay: f64) -> Option<usize> {
         order: loop_.order,
         high_frequency_gain: loop_.high_frequency_gain * decay.exp(),
     };
-    winding::unstable_poles(&shifted, &Envelope::new(&shifted))
+    winding::unstable_poles(&shifted, &Envelope::new(&shifted), WORK).ok()
 }
 
 /// The `n` zeros of Δ right of −`decay`, if Newton's method finds them all.

@@ -2,8 +2,8 @@
 
 use num_complex::Complex;
 
-/// Coefficients a polynomial can hold: degree 31, that of |p(jω)|² in ω² for every loop admitted.
-const CAPACITY: usize = 32;
+/// Coefficients a polynomial can hold: degree 15, that of p and of |p(jω)|² in ω² for every loop admitted.
+const CAPACITY: usize = 16;
 
 /// A polynomial with real coefficients, lowest power first.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -119,7 +119,7 @@ impl Polynomial {
     /// A constant C such that `|dp/ds| ≤ C/ω·|p|` is proven at s = jω for every ω ≥ `from`.
     pub(super) fn logarithmic_bound(&self, from: f64) -> Option<f64> {
         let degree = self.length.saturating_sub(1);
-        #[expect(clippy::cast_precision_loss, reason = "at most 31")]
+        #[expect(clippy::cast_precision_loss, reason = "at most 15")]
         let bound = 1.2 * degree as f64;
         if self.is_zero() || degree == 0 {
             return (!self.is_zero()).then_some(0.0);
@@ -127,7 +127,7 @@ impl Polynomial {
         // Zeros on the real axis are at least ω away from jω: C = degree. The proof covers the others.
         let mut steepness = Self::ZERO; // s·dp/ds
         for (power, &c) in self.coefficients().iter().enumerate() {
-            #[expect(clippy::cast_precision_loss, reason = "at most 31")]
+            #[expect(clippy::cast_precision_loss, reason = "at most 15")]
             steepness.add_to(power, power as f64 * c);
         }
         let excess = Self::ZERO.plus(&self.squared_magnitude(), bound * bound);
@@ -158,7 +158,7 @@ impl Polynomial {
         for i in 0..n {
             b.coefficients[i] *= scale / binomial;
             scale *= to - from;
-            #[expect(clippy::cast_precision_loss, reason = "at most 31")]
+            #[expect(clippy::cast_precision_loss, reason = "at most 15")]
             let ratio = (n - 1 - i) as f64 / (i + 1) as f64;
             binomial *= ratio;
         }

@@ -7,8 +7,8 @@
 use std::f64::consts::TAU;
 
 use super::envelope::{Envelope, Steady};
-use super::functions::{Bounds, Functions, Peak, Point};
-use super::taylor::{Quadratic, Zeros, zeros};
+use super::functions::{Bounds, Functions, Peak, Point, imaginary, real};
+use super::taylor::{Zeros, root, zeros};
 
 /// Longest list of phase crossovers.
 pub(super) const LISTED: usize = 32;
@@ -21,6 +21,7 @@ const WORK: usize = 4_000_000;
 
 /// The questions open on a band of frequencies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[expect(clippy::struct_excessive_bools, reason = "four independent questions")]
 struct Open {
     gain: bool,
     phase: bool,
@@ -105,7 +106,7 @@ impl<'a> Scan<'a> {
             if !open.any() {
                 break;
             }
-            if self.work > WORK || to > 1e60 {
+            if self.work > WORK || to > 1e110 {
                 self.found.unfinished_from = Some(from);
                 break;
             }
@@ -153,13 +154,14 @@ impl<'a> Scan<'a> {
             if wide || listed {
                 open = self.open_by_envelope(open, a, b);
             }
+            if open.gain && radius * self.functions.spread <= 1.0 {
+                open.gain = !self.gain_settled(a, b);
+            }
             if !wide && open.any() {
                 open = self.narrow(a, b, open);
             }
-            if !open.any() {
-                continue;
-            }
-            if radius <= 2.0 * f64::EPSILON * b || b < 1e-300 {
+            // Beyond 1e15 radians of delay the phase is lost in rounding.
+            if !open.any() || radius <= 2.0 * f64::EPSILON * b || b < 1e-300 {
                 continue;
             }
             stack.push((middle, b, open));
@@ -167,30 +169,39 @@ impl<'a> Scan<'a> {
         }
     }
 
+    /// Whether Taylor polynomials settle the gain crossovers on [a, b]. |L| does not turn with the shortest delay:
+    /// with one delay the band may be as wide as it likes.
+    fn gain_settled(&mut self, a: f64, b: f64) -> bool {
+        let (middle, radius) = (f64::midpoint(a, b), 0.5 * (b - a));
+        let (excess, third, rounding) = self.functions.gain_excess(middle, b);
+        let roots = zeros(excess, third, rounding, radius);
+        let functions = self.functions;
+        if let Some(root) = root(roots, a, b, |omega| functions.gain_excess(omega, omega).0) {
+            push_apart(&mut self.found.gain_crossovers, root);
+        }
+        roots != Zeros::Unknown
+    }
+
     /// Settles what Taylor polynomials can settle on [a, b]; returns what stays open.
     fn narrow(&mut self, a: f64, b: f64, mut open: Open) -> Open {
         let (middle, radius) = (f64::midpoint(a, b), 0.5 * (b - a));
         let point = self.functions.at(middle);
         let bounds = self.functions.bounds(b);
-        if open.gain {
-            let (third, rounding) = bounds.gain_excess();
-            let roots = zeros(point.gain_excess(), third, rounding, radius);
-            open.gain = roots == Zeros::Unknown;
-            if let Some(root) = self.root(roots, a, b, |p| p.gain_excess()) {
-                push_apart(&mut self.found.gain_crossovers, root);
-            }
-        }
         if open.phase {
-            let (third, rounding) = bounds.direction();
+            let direction = self.functions.direction_at(&point);
+            let (third, rounding) = self.functions.direction_bounds(&bounds, b);
             let rest = third * radius.powi(3) / 6.0 + rounding;
-            if point.real().range(radius).0 > rest {
+            if real(&direction).range(radius).0 > rest {
                 open.phase = false;
             } else {
-                let roots = zeros(point.imaginary(), third, rounding, radius);
+                let roots = zeros(imaginary(&direction), third, rounding, radius);
                 open.phase = roots == Zeros::Unknown;
                 // Next to ω = 0 the function may vanish with the frequency: not a crossing.
                 let vanishing = roots == Zeros::Touching && radius > 1e-3 * b;
-                if let Some(root) = self.root(roots, a, b, |p| p.imaginary()).filter(|_| !vanishing) {
+                let functions = self.functions;
+                let along = |omega: f64| imaginary(&functions.direction(omega));
+                let negative = |omega: &f64| !vanishing && functions.direction(*omega)[0].re < 0.0;
+                if let Some(root) = root(roots, a, b, along).filter(negative) {
                     self.phase_crossover(root);
                 }
             }
@@ -204,48 +215,6 @@ impl<'a> Scan<'a> {
         open
     }
 
-    /// The one zero of `f` on [a, b), where there is one.
-    fn root(&self, zeros: Zeros, a: f64, b: f64, f: impl Fn(&Point) -> Quadratic) -> Option<f64> {
-        match zeros {
-            Zeros::None | Zeros::Unknown => None,
-            Zeros::Touching => Some(f64::midpoint(a, b)),
-            Zeros::Monotone => {
-                // At ω = 0 a function may vanish without crossing: nothing to list there.
-                let at = |omega: f64| f(&self.functions.at(omega));
-                let (start, end) = (at(a).f, at(b).f);
-                if (a == 0.0 && start == 0.0) || (start >= 0.0) == (end >= 0.0) {
-                    return None;
-                }
-                let mut bracket = if start < 0.0 { (a, b) } else { (b, a) };
-                let mut omega = a + (b - a) * (start / (start - end)).clamp(0.0, 1.0);
-                for _ in 0..100 {
-                    let q = at(omega);
-                    if q.f < 0.0 {
-                        bracket.0 = omega;
-                    } else {
-                        bracket.1 = omega;
-                    }
-                    let newton = omega - q.f / q.df;
-                    let (low, high) = (bracket.0.min(bracket.1), bracket.0.max(bracket.1));
-                    let next =
-                        if newton >= low && newton <= high { newton } else { f64::midpoint(low, high) };
-                    let step = (next - omega).abs();
-                    omega = next;
-                    if step <= 1e-9 * omega && newton == next {
-                        // Newton's next step is below rounding; take it without asking.
-                        let q = at(omega);
-                        let last = omega - q.f / q.df;
-                        return Some(if last >= low && last <= high { last } else { omega });
-                    }
-                    if high - low <= 2.0 * f64::EPSILON * high {
-                        break;
-                    }
-                }
-                Some(omega)
-            }
-        }
-    }
-
     /// Fills the list of phase crossovers where L is proven to turn one way from `from` on: each turn has one.
     fn list_steady_crossovers(&mut self, from: f64) {
         let functions = self.functions;
@@ -256,34 +225,37 @@ impl<'a> Scan<'a> {
             ((-direction[0]).arg(), rate)
         };
         let (angle, rate) = turn(from);
-        let mut omega = from + angle.rem_euclid(TAU) / rate;
-        let mut step = TAU / rate;
-        let mut last = None;
-        for _ in 0..LISTED {
+        let first = from + angle.rem_euclid(TAU) / rate;
+        // The next one by the parabola through the last three, the first time through equal steps.
+        let mut last = [first - TAU / rate, first - 2.0 * TAU / rate, first - 3.0 * TAU / rate];
+        let mut found = Vec::with_capacity(LISTED);
+        while self.found.phase_crossovers.len() + found.len() <= LISTED {
+            let mut omega = 3.0 * (last[0] - last[1]) + last[2];
+            let mut speed = rate;
             for _ in 0..20 {
                 let (angle, rate) = turn(omega);
+                speed = rate;
                 omega += angle / rate;
-                if (angle / rate).abs() <= 1e-9 * omega {
+                // The rate changes by less than C/ω² per radian: the next step would be 1e-12·C.
+                if (angle / rate).abs() <= 1e-6 * omega {
                     break;
                 }
             }
-            if !omega.is_finite() || self.found.phase_crossovers.len() >= LISTED {
+            // One turn from the last, not none and not two: else the search goes on band by band.
+            let turns = (omega - last[0]) * speed / TAU;
+            if !(turns > 0.5 && turns < 1.5 || found.is_empty() && omega.is_finite()) {
                 return;
             }
+            found.push(omega);
+            last = [omega, last[0], last[1]];
+        }
+        for omega in found {
             self.phase_crossover(omega);
-            // The turns become equal as the frequency rises: the last one foretells the next.
-            step = last.map_or(step, |last| omega - last);
-            last = Some(omega);
-            omega += step;
         }
     }
 
     fn phase_crossover(&mut self, omega: f64) {
-        let point = self.functions.at(omega);
-        if point.direction[0].re >= 0.0 {
-            return;
-        }
-        let gain = point.gain();
+        let gain = self.functions.gain(omega);
         if gain < 1.0 {
             self.found.below_one = self.found.below_one.max(gain);
         } else {

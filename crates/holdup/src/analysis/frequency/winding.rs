@@ -14,48 +14,81 @@ use super::envelope::Envelope;
 use super::polynomial::Polynomial;
 use super::taylor::Quadratic;
 
-/// Number of closed-loop poles with positive real part; `None` where a pole lies on the imaginary axis, or
-/// nearer to it than double precision tells apart, or where there are infinitely many (|L(j∞)| ≥ 1).
-pub(super) fn unstable_poles(loop_: &Characteristic, envelope: &Envelope) -> Option<usize> {
+/// Why the unstable poles were not counted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Uncounted {
+    /// A pole lies on the imaginary axis, or nearer to it than double precision tells apart.
+    OnAxis,
+    /// There are infinitely many: |L(j∞)| ≥ 1.
+    Infinite,
+    /// The frequencies that matter turn too often to be followed.
+    GivenUp,
+}
+
+/// Number of closed-loop poles with positive real part, following Δ through at most `work` bands an octave.
+pub(super) fn unstable_poles(
+    loop_: &Characteristic,
+    envelope: &Envelope,
+    work: usize,
+) -> Result<usize, Uncounted> {
     if loop_.high_frequency_gain >= 1.0 {
-        return None;
+        return Err(Uncounted::Infinite);
     }
     let closed = &loop_.closed;
-    let leading = closed.terms().first().filter(|(delay, _)| *delay == 0.0).map(|(_, p)| p)?;
+    let Some((_, leading)) = closed.terms().first().filter(|(delay, _)| *delay == 0.0) else {
+        return Err(Uncounted::GivenUp);
+    };
     // From `end` on, the denominator outweighs the numerator: Δ follows its undelayed term.
     let mut end = 1.0;
     while !envelope.gain_is_below(1.0, end, f64::INFINITY) {
         end *= 2.0;
-        if end > 1e60 {
-            return None;
+        if end > 1e110 {
+            return Err(Uncounted::GivenUp);
         }
     }
     let mut phase = 0.0;
     let mut from = 0.0;
     let mut to = 1.0_f64;
     while from < end {
-        phase += turn(loop_, envelope, from, to)?;
+        phase += turn(loop_, envelope, from, to, work)?;
         from = to;
         to *= 2.0;
     }
     let at_end = closed.on_axis(from)[0] / leading.on_axis(from)[0];
     #[expect(clippy::cast_precision_loss, reason = "at most 15")]
     let arc = loop_.order as f64 * FRAC_PI_2;
-    let zeros = (arc + at_end.arg() - phase - turn_to_infinity(leading, from)?) / PI;
+    let zeros =
+        (arc + at_end.arg() - phase - turn_to_infinity(leading, from).ok_or(Uncounted::GivenUp)?) / PI;
     let count = zeros.round();
     // The sum is an integer up to the roundings of the arguments.
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked to be in range")]
-    ((zeros - count).abs() < 0.01 && (0.0..1e15).contains(&count)).then_some(count as usize)
+    let number = count as usize;
+    if (zeros - count).abs() < 0.01 && (0.0..1e15).contains(&count) {
+        Ok(number)
+    } else {
+        Err(Uncounted::GivenUp)
+    }
 }
 
 /// Change of arg Δ(jω) over [from, to].
-fn turn(loop_: &Characteristic, envelope: &Envelope, from: f64, to: f64) -> Option<f64> {
+fn turn(
+    loop_: &Characteristic,
+    envelope: &Envelope,
+    from: f64,
+    to: f64,
+    most: usize,
+) -> Result<f64, Uncounted> {
     let closed = &loop_.closed;
     let mut sum = 0.0;
     let mut start = closed.on_axis(from)[0];
     let mut stack = vec![(from, to)];
+    let mut work = 0;
     while let Some((a, b)) = stack.pop() {
         let (middle, radius) = (f64::midpoint(a, b), 0.5 * (b - a));
+        work += 1;
+        if work > most || radius <= 4.0 * f64::EPSILON * b {
+            return Err(Uncounted::GivenUp);
+        }
         let wide = closed.longest_delay() * radius > 1.6;
         if wide && let Some(change) = turn_with_heaviest(loop_, envelope, a, b) {
             sum += change;
@@ -71,14 +104,14 @@ fn turn(loop_: &Characteristic, envelope: &Envelope, from: f64, to: f64) -> Opti
                 start = end;
                 continue;
             }
-            if radius <= 4.0 * f64::EPSILON * b || jet[0].norm() <= 4.0 * f64::EPSILON * bounds[0] {
-                return None;
+            if jet[0].norm() <= 4.0 * f64::EPSILON * bounds[0] {
+                return Err(Uncounted::OnAxis);
             }
         }
         stack.push((middle, b));
         stack.push((a, middle));
     }
-    Some(sum)
+    Ok(sum)
 }
 
 /// Whether a function of this jet at the middle and these derivative bounds stays in an open half plane.
@@ -100,27 +133,27 @@ fn turn_with_heaviest(loop_: &Characteristic, envelope: &Envelope, from: f64, to
         let turned = Complex::from_polar(1.0, delay * omega);
         (loop_.closed.on_axis(omega)[0] * turned / p.on_axis(omega)[0]).arg()
     };
-    let real = |p: &Polynomial| p.coefficients().iter().map(|&c| Complex::new(c, 0.0)).collect::<Vec<_>>();
-    // p(jω) as a polynomial in ω: the coefficients take their power of j.
-    let own = turn_of_polynomial(&along_axis(real(p)), from, to)?;
+    let own = turn_of_polynomial(&along_axis(p), from, to)?;
     Some(own - delay * (to - from) + relative(to) - relative(from))
 }
 
 /// Change of arg p(jω) from `from` to infinity.
 fn turn_to_infinity(p: &Polynomial, from: f64) -> Option<f64> {
     // With t = 1/ω: arg p(j/t) = arg(tⁿ·p(j/t)), a polynomial in t with the coefficients reversed.
-    let mut reversed = along_axis(p.coefficients().iter().map(|&c| Complex::new(c, 0.0)).collect());
+    let mut reversed = along_axis(p);
     reversed.reverse();
     turn_of_polynomial(&reversed, 0.0, 1.0 / from).map(|turn| -turn)
 }
 
-fn along_axis(mut coefficients: Vec<Complex<f64>>) -> Vec<Complex<f64>> {
+/// The coefficients of p(jω) as a polynomial in ω: each takes its power of j.
+fn along_axis(p: &Polynomial) -> Vec<Complex<f64>> {
     let mut power = Complex::new(1.0, 0.0);
-    for c in &mut coefficients {
-        *c *= power;
+    let mut turned = Vec::with_capacity(p.coefficients().len());
+    for &c in p.coefficients() {
+        turned.push(power * c);
         power *= Complex::i();
     }
-    coefficients
+    turned
 }
 
 /// Change of the argument of a polynomial with complex coefficients over [from, to] of the real line.

@@ -1,6 +1,6 @@
 //! What the metrics are made of, gathered cell by cell: integrals, variation, extrema, crossings.
 
-use super::legendre::{Poly, derivative, ends, magnitude, primitives, square_integral, swing, value};
+use super::legendre::{derivative, ends, magnitude, primitives, significant, square_integral, swing, value};
 use super::roots::{Roots, sign_changes};
 use super::solver::{Cell, Watch};
 
@@ -77,7 +77,10 @@ impl Measure {
             self.itae += sign * half * (middle * area + half * moment);
             return;
         }
-        let roots = sign_changes(e);
+        // Noise below this changes the sums by less than rounding does.
+        let floor =
+            1e-17 * (self.iae / cell.length).min(self.itae / (cell.length * (cell.start + cell.length)));
+        let roots = sign_changes(e, floor);
         let (area, moment) = primitives(e);
         let (mut area_before, mut moment_before) = (0.0, 0.0);
         for &s in roots.as_slice().iter().chain(&[1.0]) {
@@ -97,9 +100,11 @@ impl Measure {
         let mut before = self.last.1;
         self.variation += (start - before).abs();
         before = start;
-        let slope = derivative(u);
+        let mut smooth = *u;
+        smooth[significant(u, 1e-14 * self.variation)..].fill(0.0);
+        let slope = derivative(&smooth);
         if slope[0].abs() < swing(&slope) {
-            for &s in sign_changes(&slope).as_slice() {
+            for &s in sign_changes(&slope, 0.0).as_slice() {
                 let here = value(u, s);
                 self.variation += (here - before).abs();
                 before = here;
@@ -119,7 +124,11 @@ impl Measure {
             }
             let mut most = so_far.max(of(start)).max(of(end));
             if bound > most {
-                let extrema = extrema.get_or_insert_with(|| sign_changes(&derivative(e)));
+                let extrema = extrema.get_or_insert_with(|| {
+                    let mut smooth = *e;
+                    smooth[significant(e, 1e-16 * so_far)..].fill(0.0);
+                    sign_changes(&derivative(&smooth), 0.0)
+                });
                 for &s in extrema.as_slice() {
                     most = most.max(of(value(e, s)));
                 }
@@ -159,7 +168,7 @@ impl Tracking {
                 } else if to_go(e[0]) <= reach / size.abs() {
                     let mut shifted = *e;
                     shifted[0] -= size * (1.0 - level);
-                    *first = sign_changes(&shifted).as_slice().first().map(|&s| time(s));
+                    *first = sign_changes(&shifted, 1e-16 * size.abs()).as_slice().first().map(|&s| time(s));
                     if first.is_none() && to_go(end) <= 0.0 {
                         *first = Some(time(1.0));
                     }
@@ -174,7 +183,7 @@ impl Tracking {
                 let last = |shift: f64| {
                     let mut shifted = *e;
                     shifted[0] += shift;
-                    sign_changes(&shifted).as_slice().last().copied()
+                    sign_changes(&shifted, 1e-16 * size.abs()).as_slice().last().copied()
                 };
                 let latest = last(-band).into_iter().chain(last(band)).fold(f64::NEG_INFINITY, f64::max);
                 if latest >= -1.0 {
@@ -204,7 +213,7 @@ impl Watch for Measure {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::analysis::response::legendre::TERMS;
+    use crate::analysis::response::legendre::{Poly, TERMS};
 
     #[test]
     fn integrals_of_a_line_that_changes_sign_are_those_of_two_triangles() {

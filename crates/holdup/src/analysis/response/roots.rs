@@ -1,10 +1,13 @@
 //! Sign changes of a cell's polynomial, all of them: no sampling, so close pairs are found too.
 //!
 //! Between two neighbouring extrema a polynomial is monotone and has at most one root. The extrema are the sign
-//! changes of the derivative, found the same way; the recursion ends at the first derivative whose coefficients
-//! show that it has one sign.
+//! changes of the derivative, found the same way. The recursion ends where the coefficients show that there is no root
+//! or one: by Descartes' rule in the Bernstein basis, in which the derivative is a difference. Coefficients that
+//! rounding could have given another sign show nothing.
 
-use super::legendre::{Poly, TERMS, derivative, magnitude, significant, swing, value};
+use std::sync::LazyLock;
+
+use super::legendre::{Poly, TERMS, derivative, ends, magnitude, significant, swing, value};
 
 /// Sign changes in increasing order, within −1…1.
 #[derive(Debug, Clone, Copy)]
@@ -28,29 +31,87 @@ impl Roots {
     }
 }
 
-/// Every sign change of `p` between −1 and 1.
-pub(super) fn sign_changes(p: &Poly) -> Roots {
+/// Every sign change of `p` between −1 and 1, up to changes of p by `floor`: last coefficients that sum up to less are
+/// noise that would only make the recursion deep.
+pub(super) fn sign_changes(p: &Poly, floor: f64) -> Roots {
     if p[0].abs() > swing(p) {
         return Roots::NONE;
     }
-    // Coefficients that are rounding noise would only make the recursion deep.
-    let terms = significant(p, 1e-17 * magnitude(p));
+    let size = magnitude(p);
+    let terms = significant(p, floor.max(1e-17 * size));
     let mut trimmed = *p;
     trimmed[terms..].fill(0.0);
-    recurse(&trimmed, terms)
+    let mut bernstein = [0.0; TERMS];
+    let mut noise = 0.0;
+    for (c, (row, largest)) in trimmed[..terms].iter().zip(BERNSTEIN.iter()) {
+        for (b, r) in bernstein.iter_mut().zip(row) {
+            *b += c * r;
+        }
+        noise += c.abs() * largest;
+    }
+    recurse(&trimmed, terms, &bernstein, 4.0 * f64::EPSILON * noise)
 }
 
-fn recurse(p: &Poly, terms: usize) -> Roots {
-    if terms <= 1 || p[0].abs() > swing(p) {
-        return Roots::NONE;
+/// Coefficients of P_k in the Bernstein basis of degree 23, and the largest of them.
+static BERNSTEIN: LazyLock<[(Poly, f64); TERMS]> = LazyLock::new(|| {
+    let mut binomial = [[0.0; TERMS]; TERMS];
+    for n in 0..TERMS {
+        binomial[n][0] = 1.0;
+        for k in 1..=n {
+            binomial[n][k] = binomial[n - 1][k - 1] + if k < n { binomial[n - 1][k] } else { 0.0 };
+        }
+    }
+    let n = TERMS - 1;
+    std::array::from_fn(|k| {
+        let row: Poly = std::array::from_fn(|j| {
+            let from = (j + k).saturating_sub(n);
+            let sum: f64 = (from..=j.min(k))
+                .map(|i| {
+                    let sign = if (k + i) % 2 == 0 { 1.0 } else { -1.0 };
+                    sign * binomial[k][i] * binomial[k][i] * binomial[n - k][j - i]
+                })
+                .sum();
+            sum / binomial[n][j]
+        });
+        let largest = row.iter().fold(0.0f64, |m, v| m.max(v.abs()));
+        (row, largest)
+    })
+});
+
+/// Number of sign changes in a list of coefficients, or 2 where rounding may hide some.
+fn variations(coefficients: &[f64], noise: f64) -> usize {
+    let mut smallest = f64::INFINITY;
+    let mut count = 0;
+    for c in coefficients {
+        smallest = smallest.min(c.abs());
+    }
+    for pair in coefficients.windows(2) {
+        count += usize::from((pair[0] < 0.0) != (pair[1] < 0.0));
+    }
+    if smallest > noise { count } else { count.max(2) }
+}
+
+/// `bernstein` holds the Bernstein coefficients of `p`, up to a factor, with errors of at most `noise`.
+fn recurse(p: &Poly, terms: usize, bernstein: &[f64], noise: f64) -> Roots {
+    let mut roots = Roots::NONE;
+    let changes = variations(bernstein, noise);
+    if terms <= 1 || changes == 0 {
+        return roots;
     }
     let slope = derivative(p);
-    let extrema = recurse(&slope, terms - 1);
+    let (first, last) = ends(p);
+    let mut extrema = Roots::NONE;
+    if changes > 1 && terms > 2 && slope[0].abs() <= swing(&slope) {
+        let mut next = [0.0; TERMS];
+        for (d, pair) in next.iter_mut().zip(bernstein.windows(2)) {
+            *d = pair[1] - pair[0];
+        }
+        extrema = recurse(&slope, terms - 1, &next[..bernstein.len() - 1], 2.0 * noise);
+    }
     let (p, slope) = (&p[..terms], &slope[..terms - 1]);
-    let mut roots = Roots::NONE;
-    let (mut left, mut left_value) = (-1.0, value(p, -1.0));
+    let (mut left, mut left_value) = (-1.0, first);
     for &right in extrema.as_slice().iter().chain(&[1.0]) {
-        let right_value = value(p, right);
+        let right_value = if right == 1.0 { last } else { value(p, right) };
         if left_value < 0.0 && right_value > 0.0 || left_value > 0.0 && right_value < 0.0 {
             roots.push(bracketed(p, slope, (left, left_value), (right, right_value)));
         }
@@ -82,6 +143,10 @@ fn bracketed(p: &[f64], slope: &[f64], left: (f64, f64), right: (f64, f64)) -> f
         let next = s - here / value(slope, s);
         if (next - s).abs() <= 2e-16 || high - low <= 2e-16 {
             return if next > low && next < high { next } else { s };
+        }
+        // Newton's error is squared by the step: after one below 1e-9 the next is rounding.
+        if (next - s).abs() < 1e-9 && next > low && next < high {
+            return next;
         }
         s = next;
     }
@@ -117,7 +182,7 @@ mod tests {
     fn close_pairs_of_roots_are_found() {
         // A pair 2e-6 apart: the polynomial is only 1e-12 deep between them.
         let wanted = [-0.7, 0.123_455, 0.123_457, 0.9];
-        let found = sign_changes(&with_roots(&wanted));
+        let found = sign_changes(&with_roots(&wanted), 0.0);
         assert_eq!(found.as_slice().len(), 4);
         for (f, w) in found.as_slice().iter().zip(wanted) {
             // Depth 1e-12 over slope 1e-6 leaves rounding of 1e-16 an effect of 1e-10.
@@ -128,14 +193,14 @@ mod tests {
     #[test]
     fn twenty_roots_are_found_and_outside_ones_are_not() {
         let mut wanted: Vec<f64> = (0..20).map(|i| -0.95 + 0.1 * f64::from(i)).collect();
-        assert_eq!(sign_changes(&with_roots(&wanted)).as_slice().len(), 20);
+        assert_eq!(sign_changes(&with_roots(&wanted), 0.0).as_slice().len(), 20);
         wanted.extend([1.3, -2.0]);
-        assert_eq!(sign_changes(&with_roots(&wanted)).as_slice().len(), 20);
+        assert_eq!(sign_changes(&with_roots(&wanted), 0.0).as_slice().len(), 20);
     }
 
     #[test]
     fn a_polynomial_that_only_touches_zero_has_no_sign_change_or_a_pair_of_rounding_size() {
-        let found = sign_changes(&with_roots(&[0.25, 0.25]));
+        let found = sign_changes(&with_roots(&[0.25, 0.25]), 0.0);
         let roots = found.as_slice();
         // Rounding of 1e-16 under a square: at most sqrt(1e-16) apart.
         assert!(roots.is_empty() || roots.len() == 2 && roots[1] - roots[0] < 1e-7);

@@ -16,7 +16,8 @@ use super::system::{Rest, Row, System};
 pub(super) const CELL_BUDGET: u64 = 4_000_000;
 /// A cell is accepted when its last coefficients are below this part of the signal's largest value so far.
 const TOLERANCE: f64 = 2e-14;
-/// Coefficients below this part of the signal's largest value so far are not carried on.
+/// Last coefficients below this part of the signal's largest value so far, and below a millionth of the signal here, are
+/// not carried on.
 const FLOOR: f64 = 1e-18;
 /// Signals below this part of their largest value so far, for the longest delay, are at rest.
 const SETTLED: f64 = 1e-20;
@@ -111,8 +112,10 @@ pub(super) struct Solver<'a> {
     input_scales: Vec<f64>,
     /// Longest next cell [s], from how the last ones went.
     cap: f64,
-    /// First cell after an event [s]: short enough for the fastest pole.
-    fresh: f64,
+    /// Cells since the last event, while the fastest pole's layer lasts.
+    since_event: usize,
+    /// Rate of the fastest pole [1/s].
+    fastest: f64,
     quiet: f64,
     longest_delay: f64,
     impulsive: bool,
@@ -124,6 +127,9 @@ pub(super) struct Solver<'a> {
 }
 
 const CACHE: usize = 64;
+
+/// Cells after an event, in time constants of the fastest pole, that resolve the layer it leaves to 1e-14.
+const LAYER: [f64; 3] = [8.0, 12.0, 30.0];
 
 impl<'a> Solver<'a> {
     pub(super) fn new(system: &'a System) -> Self {
@@ -141,7 +147,8 @@ impl<'a> Solver<'a> {
             state_scales: vec![0.0; n],
             input_scales: vec![0.0; channels],
             cap: f64::INFINITY,
-            fresh: 11.0 / fastest,
+            since_event: LAYER.len(),
+            fastest,
             quiet: f64::INFINITY,
             longest_delay: system.delays.iter().copied().fold(0.0, f64::max),
             impulsive: false,
@@ -241,7 +248,8 @@ impl<'a> Solver<'a> {
         }
         self.impulsive |= self.system.manipulated.setpoint_rate * setpoint != 0.0;
         self.quiet = 0.0;
-        self.cap = self.fresh;
+        self.cap = f64::INFINITY;
+        self.since_event = 0;
     }
 
     /// Impulses that come out of their channel now: states jump and what passes straight on goes in again.
@@ -300,9 +308,12 @@ impl<'a> Solver<'a> {
         if room < length - tiny {
             length = room;
         }
-        if self.cap < length {
-            // No slivers: what is left after this cell is at least a third of it.
-            length = if self.cap * 1.3 < length { self.cap } else { length };
+        let layer = LAYER.get(self.since_event).map_or(f64::INFINITY, |&part| part / self.fastest);
+        self.since_event += 1;
+        let cap = self.cap.min(layer);
+        // No slivers: what is left after this cell is at least a third of it.
+        if cap * 1.3 < length {
+            length = cap;
         }
         let shortest = tiny.max(1e-13 * self.longest_delay);
         let mut halved = false;
@@ -313,7 +324,7 @@ impl<'a> Solver<'a> {
                 return None;
             }
             if good == Some(true) || length <= shortest * 2.0 {
-                self.cap = if halved { 2.0 * length } else { 3.0 * self.cap.min(length.max(self.cap)) };
+                self.cap = if halved { 2.0 * length } else { 3.0 * self.cap };
                 return if self.finite() { Some(length) } else { None };
             }
             if good.is_none() && self.at_the_end_of_range() {
@@ -444,7 +455,7 @@ impl<'a> Solver<'a> {
             self.input_scales[c] = self.input_scales[c].max(size);
             quiet &= size <= SETTLED * self.input_scales[c];
             line.advance(length, tiny);
-            let terms = significant(&self.input_polys[c], FLOOR * self.input_scales[c]);
+            let terms = significant(&self.input_polys[c], (FLOOR * self.input_scales[c]).min(1e-6 * size));
             line.push(length, &self.input_polys[c], terms, order);
         }
         self.quiet = if quiet { self.quiet + length } else { 0.0 };
@@ -520,4 +531,50 @@ fn merged_events(scenario: &Scenario) -> Vec<(f64, f64, f64)> {
         .collect();
     events.sort_by(|a, b| a.0.total_cmp(&b.0));
     events
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::{ClosedLoop, Controller, Process, Seconds};
+
+    /// Lengths of all cells.
+    struct Lengths(Vec<f64>);
+
+    impl Watch for Lengths {
+        fn cell(&mut self, cell: &Cell<'_>) {
+            self.0.push(cell.length);
+        }
+    }
+
+    fn lengths(controller: Controller, horizon: f64) -> Vec<f64> {
+        let process = Process::integrating(0.0506, Seconds(6.0)).unwrap();
+        let load = vec![(horizon / 2.0, 1.0)];
+        let scenario = Scenario::new(vec![(0.0, 1.0)], load, Seconds(horizon), 0.0).unwrap();
+        let system = System::new(&ClosedLoop::new(&process, &controller));
+        let mut lengths = Lengths(Vec::new());
+        Solver::new(&system).run(&scenario, &mut lengths).unwrap();
+        lengths.0
+    }
+
+    #[test]
+    fn a_loop_without_a_fast_pole_takes_one_cell_between_breakpoints() {
+        let pi = Controller::proportional(1.6).unwrap().with_integral_time(Seconds(48.0)).unwrap();
+        // 200 s: 34 images of the first event, 17 of the second.
+        assert_eq!(lengths(pi, 200.0).len(), 34 + 17);
+    }
+
+    #[test]
+    fn a_filtered_derivative_takes_a_few_cells_between_breakpoints() {
+        let pid = Controller::proportional(2.95).unwrap().with_integral_time(Seconds(15.0)).unwrap();
+        let pid = pid.with_derivative_time(Seconds(3.0)).unwrap().with_filter_bandwidth(100.0).unwrap();
+        let lengths = lengths(pid, 200.0);
+        assert!(lengths.len() < 51 * 7, "{} {lengths:?}", lengths.len());
+    }
+
+    #[test]
+    fn a_settled_loop_reaches_any_horizon_in_few_cells() {
+        let pi = Controller::proportional(1.6).unwrap().with_integral_time(Seconds(48.0)).unwrap();
+        assert!(lengths(pi, 1e9).len() < 1000);
+    }
 }

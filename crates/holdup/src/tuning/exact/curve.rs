@@ -47,14 +47,14 @@ impl Curve {
                 let (mut low, mut high) = (0.0, FRAC_PI_2);
                 if self.filter > 0.0 {
                     (low, high) =
-                        super::root::bracket(low, high, |q| q.sin() - self.filter * (PI - q) * q.cos());
+                        super::root::bracket(low, high, 0.0, |q| q.sin() - self.filter * (PI - q) * q.cos());
                 }
                 (FRAC_PI_2, if self.filter > 0.0 { low.max(high) } else { 0.0 })
             }
             Margin::Phase(phase) => {
                 let first = (FRAC_PI_2 - phase).max(0.0);
                 let span = |g: f64| phase - PI + g + (self.filter * g).atan();
-                let (low, high) = super::root::bracket(first, PI - phase, span);
+                let (low, high) = super::root::bracket(first, PI - phase, 0.0, span);
                 (first, low.min(high))
             }
         }

@@ -31,7 +31,7 @@ pub(super) fn solve(
     });
     let grid: Vec<_> = grid.map(|q| (q, error(q))).collect();
     let crossings = grid.windows(2).filter(|pair| (pair[0].1 < 0.0) != (pair[1].1 < 0.0));
-    let found: Vec<_> = crossings.map(|pair| curve.at(bracket(pair[0].0, pair[1].0, error).0)).collect();
+    let found: Vec<_> = crossings.map(|pair| curve.at(bracket(pair[0].0, pair[1].0, 0.0, error).0)).collect();
     if found.is_empty() { Err(infeasible(gain_margin, phase_margin, filter, &grid)) } else { Ok(found) }
 }
 

@@ -8,10 +8,13 @@ mod goal;
 mod margins;
 mod observer;
 mod pd;
+mod pi;
 mod root;
+mod settling;
 
 pub(super) use dob::tune as dob;
 pub(super) use pd::tune as pd;
+pub(super) use pi::tune as pi;
 
 use super::RuleError;
 use crate::analysis::frequency::{self, Margins};

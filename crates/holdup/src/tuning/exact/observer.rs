@@ -31,7 +31,7 @@ pub(super) fn largest(pd: Normal, goal: Goal, rule: &'static str) -> Result<Resu
         least = least.min(here);
         let met = here <= 0.0;
         if met && !above_met {
-            let (found, _) = bracket(k, above, |k| error(k).unwrap_or(f64::NAN));
+            let (found, _) = bracket(k, above, 1e-12, |k| error(k).unwrap_or(f64::NAN));
             // Where a crossover appears or vanishes a margin jumps, and the goal is passed without being met.
             if error(found)?.abs() <= MET {
                 return Ok(Ok(found));
@@ -66,7 +66,7 @@ pub(super) fn both_margins(
             && (before < 0.0) != (after < 0.0)
         {
             let error = |gain: f64| at(gain).ok().flatten().map_or(f64::NAN, |(_, error)| error);
-            let (found, _) = bracket(low.gain, high.gain, error);
+            let (found, _) = bracket(low.gain, high.gain, 1e-13, error);
             let met = at(found)?.filter(|(_, error)| error.abs() <= MET).map(|(whole, _)| whole);
             let better = |whole: &Normal| {
                 best.is_none_or(|best| whole.gain * whole.observer > best.gain * best.observer)

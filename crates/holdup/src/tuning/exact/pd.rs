@@ -1,9 +1,11 @@
 //! `pd-exact`: PD control that meets two of gain margin, phase margin and settling time.
 
-use super::curve::Pd;
-use super::{Normal, margins};
+use super::curve::{Curve, Margin, Pd};
+use super::{Normal, margins, settling};
 use crate::model::Process;
 use crate::tuning::{Entry, Infeasible, RuleError, Tuning, Values, from_settings};
+
+const TWO: &str = "exactly two of Am, phi_m and Ts must be set";
 
 /// The tuning of the rule.
 pub(in crate::tuning) fn tune(
@@ -12,22 +14,31 @@ pub(in crate::tuning) fn tune(
     values: &Values<'_>,
 ) -> Result<Tuning, RuleError> {
     let d = process.dead_time();
-    let filter = values.given("N").map_or(0.0, |n| 1.0 / (n * d));
+    let (am, phi, ts) = (values.given("Am"), values.given("phi_m"), values.given("Ts"));
+    // With a settling time the response must be one that can be simulated and built: the derivative is filtered.
+    let filter = values.given("N").map_or(if ts.is_some() { 0.01 } else { 0.0 }, |n| 1.0 / (n * d));
     let asked = values.specification();
     let infeasible = |(reason, nearest)| {
         RuleError::Infeasible(Box::new(Infeasible { rule: entry.id, asked, reason, nearest }))
     };
-    let found = match (values.given("Am"), values.given("phi_m"), values.given("Ts")) {
+    let settled = |margin: Margin, ts: f64| {
+        let curve = Curve { margin, filter };
+        settling::solve(curve, ts / d).map_err(|(reason, nearest)| {
+            infeasible((
+                reason,
+                nearest.into_iter().map(|time| settling::specification(curve, time * d)).collect(),
+            ))
+        })
+    };
+    let found = match (am, phi, ts) {
         (Some(am), Some(phi), None) => margins::solve(am, phi, filter).map_err(infeasible)?,
-        _ => {
-            let reason = "exactly two of Am, phi_m and Ts must be set";
-            return Err(RuleError::Combination { rule: entry.id, reason });
-        }
+        (Some(am), None, Some(ts)) => settled(Margin::Gain(am), ts)?,
+        (None, Some(phi), Some(ts)) => settled(Margin::Phase(phi), ts)?,
+        _ => return Err(RuleError::Combination { rule: entry.id, reason: TWO }),
     };
     let ranked = rank(entry.id, found, filter)?;
     let mut tunings = ranked.into_iter().map(|pd| finish(entry, values, d, filter, pd));
-    let reason = "exactly two of Am, phi_m and Ts must be set";
-    let mut best = tunings.next().unwrap_or(Err(RuleError::Combination { rule: entry.id, reason }))?;
+    let mut best = tunings.next().unwrap_or(Err(RuleError::Combination { rule: entry.id, reason: TWO }))?;
     for other in tunings {
         best.alternatives.push(other?.controller);
     }

@@ -16,7 +16,7 @@
 //! Where a specification is to be met, not only named.
 //!
 //! # Limits
-//! Both margins are feasible exactly for 90° (1 - 1/Am) <= phi_m < 90° + asin(1/Am), and then unique. Settling time
+//! Both margins are feasible exactly for 90° (1 - 1/Am) <= `phi_m` < 90° + asin(1/Am), and then unique. Settling time
 //! jumps and has a minimum as a function of Td: what lies in a jump or below is infeasible. A load leaves a lasting error.
 //!
 //! # Published values
@@ -46,7 +46,7 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
             .range("> 0 and < pi")
             .asks(Property::PhaseMargin),
         Parameter::new("Ts", Unit::Second, Default::Absent, "settling time, 2 % band")
-            .range("> d")
+            .range("> d and <= 1000*d")
             .asks(Property::SettlingTime),
         Parameter::new(
             "N",

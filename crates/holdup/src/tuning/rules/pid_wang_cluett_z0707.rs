@@ -4,7 +4,9 @@
 //! The plain integrator with dead time.
 //!
 //! # Formula
-//! `Kc = 1/(K*d*(0.7138*beta + 0.3904))`, `Ti = d*(1.4020*beta + 1.2076)`, `Td = d/(1.4167*beta + 1.6999)`.
+//! - `Kc = 1/(K*d*(0.7138*beta + 0.3904))`
+//! - `Ti = d*(1.4020*beta + 1.2076)`
+//! - `Td = d/(1.4167*beta + 1.6999)`
 //!
 //! # Parameters
 //! `beta`, default 4.0: closed-loop time constant over dead time (range > 0, advised 1..20).
@@ -16,7 +18,8 @@
 //! Checked stable for beta from 1 to 20. The derivative is unfiltered in the source.
 //!
 //! # Published values
-//! `Kc*K*d*(0.7138*beta + 0.3904)` = 1.0000.
+//! `Kc*K*d*(0.7138*beta + 0.3904)` = 1.0000; `damping_ratio` = 0.707 — DIFFERENCE, see
+//! the values file.
 //!
 //! # Reference
 //! Wang, Cluett (1997), IEE Proc. Control Theory Appl. 144, 385-392.

@@ -4,7 +4,9 @@
 //! The plain integrator with dead time.
 //!
 //! # Formula
-//! `Kc = 1/(K*d*(0.5080*beta + 0.6208))`, `Ti = d*(1.9885*beta + 1.2235)`, `Td = d/(1.0043*beta + 1.8194)`.
+//! - `Kc = 1/(K*d*(0.5080*beta + 0.6208))`
+//! - `Ti = d*(1.9885*beta + 1.2235)`
+//! - `Td = d/(1.0043*beta + 1.8194)`
 //!
 //! # Parameters
 //! `beta`, default 4.0: closed-loop time constant over dead time (range > 0, advised 1..20).
@@ -16,7 +18,8 @@
 //! Checked stable and well behaved for beta from 1 to 20. The derivative is unfiltered in the source.
 //!
 //! # Published values
-//! `Kc` = 1.2416; `Ti` = 55.065; `Td` = 1.028; `Kc` = 1.53572; `Ti` = 43.134; `Td` = 1.24164.
+//! `Kc` = 1.2416; `Ti` = 55.065; `Td` = 1.028; `Kc` = 1.53572; `Ti` = 43.134; `Td` = 1.24164; `load_ise` = 20.41;
+//! `load_iae` = 44.2 — DIFFERENCE, see the values file.
 //!
 //! # Reference
 //! Wang, Cluett (1997), Tuning PID controllers for integrating processes, IEE Proc. Control Theory Appl. 144,
