@@ -32,6 +32,7 @@ pub(crate) struct AnswerArgs {
     /// Write the result as JSON, and nothing else, to standard output
     #[arg(long, global = true)]
     pub(crate) json: bool,
+    #[expect(clippy::doc_markdown, reason = "help text, shown as it is")]
     /// Exit with status 1 unless the result meets this, e.g. 'gain_margin>=2'; repeatable. NAME is a field of
     /// the --json result: its name where that is unique, or a dotted path
     #[arg(long, global = true, value_name = "NAME>=VALUE")]
@@ -147,6 +148,7 @@ pub(crate) struct SimulateArgs {
     /// The scenario.
     #[command(flatten)]
     pub(crate) scenario: ScenarioArgs,
+    #[expect(clippy::doc_markdown, reason = "help text, shown as it is")]
     /// Write t, setpoint, controlled_variable, manipulated_variable, load, load_estimate as CSV
     #[arg(long, value_name = "FILE.csv")]
     pub(crate) csv: Option<PathBuf>,

@@ -1,5 +1,7 @@
 //! `holdup reproduce`: every printed number of a paper against the computed one.
 
+use std::fmt::Write as _;
+
 use holdup::study::published::{Cell, Reproduction, Verdict, reproduce};
 
 use crate::args::ReproduceArgs;
@@ -18,7 +20,8 @@ pub(crate) fn run(args: &ReproduceArgs, console: Console) -> Result<Answer, Faul
 fn text(reproduction: &Reproduction, console: Console) -> String {
     let summary = &reproduction.summary;
     let mut text = title(console, &reproduction.paper);
-    text += &format!(
+    let _ = write!(
+        text,
         "{} printed cells: {} reproduced, {} close, {} not reproduced, {} impossible\n",
         summary.cells, summary.reproduced, summary.close, summary.not_reproduced, summary.impossible
     );

@@ -1,5 +1,7 @@
 //! `holdup tune`: a controller by one rule, or by all that apply.
 
+use std::fmt::Write as _;
+
 use holdup::analysis::frequency::{Margins, margins};
 use holdup::analysis::response::{Scenario, simulate};
 use holdup::model::description::ControllerDescription;
@@ -128,7 +130,7 @@ impl Tuned {
         text += &asked_and_achieved(&self.tuning.specification, &self.achieved, console);
         text += &margins_table(console, &[("achieved", &self.achieved)]);
         for other in &self.tuning.alternatives {
-            text += &format!("also: {}\n", controller_line(other));
+            let _ = write!(text, "also: {}\n", controller_line(other));
         }
         if !self.tuning.trade_off.is_empty() {
             let row = |point: &holdup::tuning::TradeOff| {
@@ -175,7 +177,7 @@ fn asked_and_achieved(asked: &Specification, achieved: &Margins, console: Consol
         text += &table(console, &["", "specified", "achieved"], &rows);
     }
     if others != Specification::default() {
-        text += &format!("specified besides: {others}\n");
+        let _ = write!(text, "specified besides: {others}\n");
     }
     if !text.is_empty() {
         text.push('\n');
