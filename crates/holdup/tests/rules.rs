@@ -186,8 +186,10 @@ fn extreme_processes_and_parameters_give_an_answer_or_an_error_but_no_panic() {
             }
         }
         let process = example(entry.process, 0.7, 1.3, 2.1);
-        // Simulations with an extreme settling time are slow; its range is tested with the exact tuning.
-        for parameter in entry.parameters.iter().filter(|parameter| parameter.name != "Ts") {
+        // Left out because they are slow, not because they fail: simulations with an extreme settling time, and margins
+        // of a neutral loop with an observer and a Td of many dead times (seconds each).
+        let slow = |name: &str| name == "Ts" || (entry.id, name) == ("dob-exact", "Td");
+        for parameter in entry.parameters.iter().filter(|parameter| !slow(parameter.name)) {
             for value in [-1.0, 0.0, 1e-12, 0.999_999, 1.000_001, 89.0, 1e12, f64::MAX] {
                 let _ = entry.tune(&process, &question(entry).set(parameter.name, value));
             }

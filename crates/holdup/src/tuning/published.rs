@@ -8,8 +8,7 @@ use super::achieved::achieved;
 use super::entry::Entry;
 use super::expression::evaluate;
 use super::parameters::Parameters;
-use crate::analysis::frequency::margins;
-use crate::model::{ClosedLoop, Process, Radians, Seconds};
+use crate::model::{Process, Seconds};
 
 /// The file `tests/rules/<id>.toml`.
 #[derive(Debug, Deserialize)]
@@ -99,24 +98,6 @@ impl Entry {
         let parameters =
             value.set.iter().fold(Parameters::new(), |set, (name, v)| set.set(name.as_str(), *v));
         let tuning = self.tune(&process, &parameters).map_err(|error| error.to_string())?;
-        let names = ["Ms", "Mt", "GM", "PM_deg", "DM"];
-        let achieved = if names.iter().any(|name| value.what.contains(name)) {
-            let closed = ClosedLoop::new(&process, &tuning.controller);
-            Some(margins(&closed).map_err(|error| error.to_string())?)
-        } else {
-            None
-        };
-        let property = |name: &str| {
-            let achieved = achieved.as_ref()?;
-            match name {
-                "Ms" => achieved.sensitivity_peak,
-                "Mt" => achieved.complementary_sensitivity_peak,
-                "GM" => achieved.gain_margin,
-                "PM_deg" => achieved.phase_margin.map(Radians::degrees),
-                "DM" => achieved.delay_margin.map(|Seconds(time)| time),
-                _ => None,
-            }
-        };
         let setting = |name: &str| {
             let found = tuning.published.settings.iter().find(|setting| setting.name == name);
             found.map(|setting| setting.value).or(match name {

@@ -142,6 +142,8 @@ pub struct Finding {
     pub title: String,
     /// What was computed, in sentences.
     pub text: String,
+    /// The single facts, one a line.
+    pub points: Vec<String>,
 }
 
 /// A published study, recomputed.

@@ -2,7 +2,8 @@
 //!
 //! In units of the dead time `L = a·(1 + τ·s)·e^(−s)/(τ·s²)`. At the phase crossover p in (0, π/2) the phase condition is
 //! `τ = tan(p)/p`, and the gain margin gives `a = p·sin(p)/GM`. The gain crossover g is the positive root of
-//! `g⁴ − a²·g² − a²/τ² = 0`. For p → π/2 the integral vanishes and the phase margin is that of P control, 90°·(1 − 1/GM).
+//! `g⁴ − a²·g² − a²/τ² = 0`. Along these loops the phase margin rises with p, from 0 at p = 0 (τ = 1) to that of P
+//! control, 90°·(1 − 1/GM), at p = π/2 (τ = ∞): a pair below that limit has one loop, and one beyond it none.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -13,42 +14,60 @@ use crate::tuning::{Entry, Infeasible, RuleError, Specification, Tuning, Values,
 /// The tuning of the rule.
 pub(in crate::tuning) fn tune(
     entry: &'static Entry,
-    process: &Process,
+    _: &Process,
     values: &Values<'_>,
 ) -> Result<Tuning, RuleError> {
-    let asked = values.specification();
-    let gain_margin = values.get("GM")?;
-    let phase_margin = values.get("PM_deg")?.to_radians();
-    let settings = |p: f64| (p * p.sin() / gain_margin, p.tan() / p);
-    let error = |p: f64| {
-        let (a, tau) = settings(p);
-        let square = a * a;
-        let g = (0.5 * (square + (square * square + 4.0 * square / (tau * tau)).sqrt())).sqrt();
-        (tau * g).atan() - g - phase_margin
-    };
+    let mut values = values.clone();
+    let (k, d) = (values.get("K")?, values.get("d")?);
+    let (gain_margin, phase_margin) = (values.get("GM")?, values.get("PM_deg")?.to_radians());
     let limit = FRAC_PI_2 * (1.0 - 1.0 / gain_margin);
-    // The phase margin falls with p from its limit to below 0; the scan finds the first crossing, of least integral
-    // action, and so of most robustness.
-    let points = (1..200).map(|i| FRAC_PI_2 * (1.0 - f64::from(i) / 200.0));
-    let mut above = FRAC_PI_2 * (1.0 - 1e-9);
-    if phase_margin < limit && error(above) > 0.0 {
-        for point in points {
-            if error(point) <= 0.0 {
-                let (p, _) = bracket(point, above, 0.0, error);
-                let (a, tau) = settings(p);
-                let (mut values, d) = (values.clone(), process.dead_time());
-                values.keep("Kc", a / (values.get("K")? * d));
-                values.keep("Ti", tau * d);
-                return from_settings(entry, &values);
-            }
-            above = point;
+    if phase_margin >= limit {
+        let asked = values.specification();
+        let reason = format!(
+            "PI control with gain margin {gain_margin} has a phase margin below {:.4}°, that of P control",
+            limit.to_degrees()
+        );
+        // The limit is never reached: a ten-thousandth of it is left.
+        let nearest = Specification { phase_margin: Some(limit * (1.0 - 1e-4)), ..asked };
+        let infeasible = Infeasible { rule: entry.id, asked, reason, nearest: vec![nearest] };
+        return Err(RuleError::Infeasible(Box::new(infeasible)));
+    }
+    let (crossover, _) =
+        bracket(
+            0.0,
+            FRAC_PI_2,
+            0.0,
+            |p| if p == 0.0 { -1.0 } else { margin_at(p, gain_margin) - phase_margin },
+        );
+    let (loop_gain, integral_time) = settings(crossover, gain_margin);
+    values.keep("Kc", loop_gain / (k * d));
+    values.keep("Ti", integral_time * d);
+    from_settings(entry, &values)
+}
+
+/// a and τ of the loop with this phase crossover and gain margin.
+fn settings(crossover: f64, gain_margin: f64) -> (f64, f64) {
+    (crossover * crossover.sin() / gain_margin, crossover.tan() / crossover)
+}
+
+/// Phase margin [rad] of that loop.
+fn margin_at(crossover: f64, gain_margin: f64) -> f64 {
+    let (a, tau) = settings(crossover, gain_margin);
+    let g = (0.5 * a * (a + a.hypot(2.0 / tau))).sqrt();
+    (tau * g).atan() - g
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{FRAC_PI_2, margin_at};
+
+    #[test]
+    fn phase_margin_rises_with_the_phase_crossover_up_to_that_of_proportional_control() {
+        for gain_margin in [1.001, 1.1, 1.5, 2.0, 3.0, 5.0, 20.0, 1000.0] {
+            let margin = |i: u32| margin_at(FRAC_PI_2 * f64::from(i) / 1001.0, gain_margin);
+            assert!((11..=1000).all(|i| margin(i) > margin(i - 1)), "{gain_margin}");
+            let limit = FRAC_PI_2 * (1.0 - 1.0 / gain_margin);
+            assert!(margin(10) > 0.0 && margin(1000) < limit, "{gain_margin}");
         }
     }
-    let reason = format!(
-        "PI control with gain margin {gain_margin} has a phase margin below {:.4}°, that of P control",
-        limit.to_degrees()
-    );
-    // The limit is never reached: a ten-thousandth is left to it.
-    let nearest = Specification { phase_margin: Some(limit * (1.0 - 1e-4)), ..asked };
-    Err(RuleError::Infeasible(Box::new(Infeasible { rule: entry.id, asked, reason, nearest: vec![nearest] })))
 }

@@ -25,13 +25,8 @@
 //! Wang, Rees, Zhong (region); Kookos; Hu-Xiao 2011 for PID (2006), Control of integral processes with dead time, Part
 //! IV: various issues about PI controllers, IEE Proc. Control Theory Appl. 153, 302-306. Derived here.
 
-use std::f64::consts::FRAC_PI_2;
-
-use crate::model::Process;
-use crate::tuning::{
-    Applies, Default, Entry, Form, Infeasible, Parameter, Property, Provenance, RuleError, Specification,
-    Status, Tuning, Unit, Values, from_settings,
-};
+use crate::tuning::exact;
+use crate::tuning::{Applies, Default, Entry, Form, Parameter, Property, Provenance, Status, Unit};
 
 /// The rule.
 pub(in crate::tuning) static ENTRY: Entry = Entry {
@@ -62,82 +57,35 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     source: "the two margin conditions, solved here to rounding",
     status: Status::Recommended,
     values: include_str!("../../../tests/rules/pi-gpm-exact.toml"),
-    law: tune,
+    law: exact::pi,
 };
-
-fn tune(entry: &'static Entry, _: &Process, values: &Values<'_>) -> Result<Tuning, RuleError> {
-    let mut values = values.clone();
-    let (k, d) = (values.get("K")?, values.get("d")?);
-    let (gain_margin, phase_margin) = (values.get("GM")?, values.get("PM_deg")?.to_radians());
-    let limit = FRAC_PI_2 * (1.0 - 1.0 / gain_margin);
-    if phase_margin >= limit {
-        let asked = values.specification();
-        let reason = format!(
-            "PI control with gain margin {gain_margin} has a phase margin below {:.4}°, that of P control",
-            limit.to_degrees()
-        );
-        // The limit is never reached: a ten-thousandth of it is left.
-        let nearest = Specification { phase_margin: Some(limit * (1.0 - 1e-4)), ..asked };
-        let infeasible = Infeasible { rule: entry.id, asked, reason, nearest: vec![nearest] };
-        return Err(RuleError::Infeasible(Box::new(infeasible)));
-    }
-    // Along the loops of one gain margin the phase margin rises with the phase crossover, from 0 at 0 (Ti = d) to
-    // the limit of P control at π/2 (Ti = ∞): the root is unique.
-    let (mut low, mut high) = (0.0, FRAC_PI_2);
-    loop {
-        let middle = 0.5 * (low + high);
-        if middle <= low || middle >= high {
-            break;
-        }
-        if phase_margin_at(middle, gain_margin) < phase_margin { low = middle } else { high = middle }
-    }
-    let (loop_gain, integral_time) = settings(low, gain_margin);
-    values.keep("Kc", loop_gain / (k * d));
-    values.keep("Ti", integral_time * d);
-    from_settings(entry, &values)
-}
-
-/// Loop gain K·Kc·d and Ti/d of the PI loop with this phase crossover [1/d] and gain margin.
-fn settings(crossover: f64, gain_margin: f64) -> (f64, f64) {
-    (crossover * crossover.sin() / gain_margin, crossover.tan() / crossover)
-}
-
-/// Phase margin [rad] of that loop.
-fn phase_margin_at(crossover: f64, gain_margin: f64) -> f64 {
-    let (k, ti) = settings(crossover, gain_margin);
-    // |L| = 1: w⁴ = k²·(w² + 1/Ti²).
-    let w = (0.5 * k * (k + k.hypot(2.0 / ti))).sqrt();
-    (ti * w).atan() - w
-}
 
 #[cfg(test)]
 mod tests {
-    use super::{FRAC_PI_2, phase_margin_at};
-    use crate::model::{Process, Seconds};
+    use crate::analysis::frequency::margins;
+    use crate::model::{ClosedLoop, Process, Seconds};
     use crate::tuning::{Parameters, RuleError, rule};
 
     #[test]
-    fn phase_margin_rises_with_the_phase_crossover_up_to_that_of_proportional_control() {
-        for gain_margin in [1.001, 1.1, 1.5, 2.0, 3.0, 5.0, 20.0, 1000.0] {
-            let margin = |i: u32| phase_margin_at(FRAC_PI_2 * f64::from(i) / 1001.0, gain_margin);
-            assert!((11..=1000).all(|i| margin(i) > margin(i - 1)), "{gain_margin}");
-            let limit = FRAC_PI_2 * (1.0 - 1.0 / gain_margin);
-            assert!(margin(10) > 0.0 && margin(1000) < limit, "{gain_margin}");
+    fn both_margins_are_met_up_to_the_limit_of_proportional_control_and_infeasible_from_it_on() {
+        let process = Process::integrating(-0.2, Seconds(7.4)).unwrap();
+        for gain_margin in [1.2, 2.0, 3.0, 6.0] {
+            let ask = |phase: f64| {
+                let set = Parameters::new().set("GM", gain_margin).set("PM_deg", phase);
+                rule("pi-gpm-exact").unwrap().tune(&process, &set)
+            };
+            let limit = 90.0 * (1.0 - 1.0 / gain_margin);
+            for part in [1e-3, 0.1, 0.5, 0.9, 0.999] {
+                let found =
+                    margins(&ClosedLoop::new(&process, &ask(part * limit).unwrap().controller)).unwrap();
+                // Two roots solved to rounding, a flat one where the phase margin is small.
+                assert!((found.gain_margin.unwrap() - gain_margin).abs() < 1e-9, "{part}");
+                assert!((found.phase_margin.unwrap().degrees() - part * limit).abs() < 1e-7, "{part}");
+            }
+            for beyond in [limit, 0.5 * (limit + 90.0)] {
+                let Err(RuleError::Infeasible(answer)) = ask(beyond) else { panic!("{beyond}") };
+                assert!(ask(answer.nearest[0].phase_margin.unwrap().to_degrees()).is_ok());
+            }
         }
-    }
-
-    #[test]
-    fn a_phase_margin_from_the_limit_of_proportional_control_on_is_infeasible_and_one_below_it_is_met() {
-        let process = Process::integrating(-0.3, Seconds(2.0)).unwrap();
-        let ask = |pm: f64| {
-            rule("pi-gpm-exact").unwrap().tune(&process, &Parameters::new().set("GM", 2.0).set("PM_deg", pm))
-        };
-        for beyond in [45.0, 60.0] {
-            let Err(RuleError::Infeasible(answer)) = ask(beyond) else { panic!("{beyond}") };
-            let near = answer.nearest[0].phase_margin.unwrap().to_degrees();
-            assert!(near < 45.0 && ask(near).is_ok());
-        }
-        assert!(ask(44.99).unwrap().controller.integral_time().unwrap() > 1000.0);
-        assert!(ask(0.01).unwrap().controller.integral_time().unwrap() > 2.0);
     }
 }

@@ -34,7 +34,7 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     year: 2010,
     citation: "M. Viteckova, A. Vitecek, 2DOF PI and PID controllers tuning, IFAC TDS 2010; M. Huba, J. \
                Process Control 23 (2013), 1379-1400",
-    structure: "PI/2DOF-PI",
+    structure: "PI",
     process: Applies::Integrating,
     form: Form::Ideal,
     parameters: &[],

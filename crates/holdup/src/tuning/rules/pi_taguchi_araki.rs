@@ -32,7 +32,7 @@ pub(in crate::tuning) static ENTRY: Entry = Entry {
     year: 2000,
     citation: "Two-degree-of-freedom PID controllers - their functions and optimal tuning, IFAC Workshop \
                PID 2000",
-    structure: "2DOF-PI",
+    structure: "PI",
     process: Applies::Integrating,
     form: Form::Ideal,
     parameters: &[],

@@ -4,9 +4,7 @@
 //! The plain integrator with dead time.
 //!
 //! # Formula
-//! - `Kc = 1.03/(K*d)`
-//! - `Ti = 3.17*d`
-//! - `Td = 0.49*d`
+//! `Kc = 1.03/(K*d)`, `Ti = 3.17*d`, `Td = 0.49*d`.
 //!
 //! # Parameters
 //! None.

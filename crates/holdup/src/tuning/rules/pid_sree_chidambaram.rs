@@ -4,9 +4,7 @@
 //! The plain integrator with dead time.
 //!
 //! # Formula
-//! - `Kc = 0.896/(K*d)`
-//! - `Ti = 2.5*d`
-//! - `Td = 0.5*d`
+//! `Kc = 0.896/(K*d)`, `Ti = 2.5*d`, `Td = 0.5*d`.
 //!
 //! # Parameters
 //! None.

@@ -4,9 +4,7 @@
 //! The plain integrator with dead time.
 //!
 //! # Formula
-//! - `Kc = 1/(K*d*(0.7138*beta + 0.3904))`
-//! - `Ti = d*(1.4020*beta + 1.2076)`
-//! - `Td = d/(1.4167*beta + 1.6999)`
+//! `Kc = 1/(K*d*(0.7138*beta + 0.3904))`, `Ti = d*(1.4020*beta + 1.2076)`, `Td = d/(1.4167*beta + 1.6999)`.
 //!
 //! # Parameters
 //! `beta`, default 4.0: closed-loop time constant over dead time (range > 0, advised 1..20).

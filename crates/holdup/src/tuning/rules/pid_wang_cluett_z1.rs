@@ -4,9 +4,7 @@
 //! The plain integrator with dead time.
 //!
 //! # Formula
-//! - `Kc = 1/(K*d*(0.5080*beta + 0.6208))`
-//! - `Ti = d*(1.9885*beta + 1.2235)`
-//! - `Td = d/(1.0043*beta + 1.8194)`
+//! `Kc = 1/(K*d*(0.5080*beta + 0.6208))`, `Ti = d*(1.9885*beta + 1.2235)`, `Td = d/(1.0043*beta + 1.8194)`.
 //!
 //! # Parameters
 //! `beta`, default 4.0: closed-loop time constant over dead time (range > 0, advised 1..20).

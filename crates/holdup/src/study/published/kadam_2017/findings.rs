@@ -43,6 +43,7 @@ fn specified_margins(process: &Process) -> Result<Finding, PublishedError> {
              allows, because |L| of a PD loop falls strictly with frequency.",
             describe(&achieved)
         ),
+        points: tuning.warnings,
     })
 }
 
@@ -71,6 +72,7 @@ fn settling_families(process: &Process) -> Result<Finding, PublishedError> {
             family("Ts", [40.0, 50.0, 60.0, 70.0])?,
             family("Am", [1.0, 1.5, 2.0, 2.5])?
         ),
+        points: Vec::new(),
     })
 }
 
@@ -86,15 +88,15 @@ fn observer_cost(process: &Process) -> Result<Finding, PublishedError> {
     };
     Ok(Finding {
         title: "The observer costs robustness that the paper does not report".to_owned(),
-        text: format!(
-            "The PD loop alone has {}; with the observer, broken at the process input, the whole has {}. As \
-             simulated (parallel form, N = 100 rad/s): {} without, {} with it. Ko = Kc is the paper's choice, \
-             not a necessity: `dob-exact` finds the observer gain for a stated M_s.",
-            of(&pd)?,
-            of(&with_observer)?,
-            of(&parallel)?,
-            of(&parallel.with_observer(Observer::new(kc)?))?,
-        ),
+        text: "Both loops broken at the process input. Ko = Kc is the paper's choice, not a necessity: `dob-exact` \
+               finds the observer gain for a stated M_s of the whole."
+            .to_owned(),
+        points: vec![
+            format!("ideal derivative, PD loop alone: {}", of(&pd)?),
+            format!("ideal derivative, with the observer: {}", of(&with_observer)?),
+            format!("as simulated (parallel form, N = 100 rad/s), PD loop alone: {}", of(&parallel)?),
+            format!("as simulated, with the observer: {}", of(&parallel.with_observer(Observer::new(kc)?))?),
+        ],
     })
 }
 
@@ -103,16 +105,14 @@ fn impossible_cells(cells: &[Cell]) -> Finding {
         .iter()
         .filter(|c| c.verdict == Verdict::Impossible)
         .map(|c| {
-            let reason = c.reason.as_deref().unwrap_or_default();
-            format!(
-                "{} {} {} = {} ({reason}; computed {:.4})",
-                c.table, c.row, c.column, c.printed, c.computed
-            )
+            format!("{} (computed {:.4}): {}", name(c), c.computed, c.reason.as_deref().unwrap_or_default())
         })
         .collect();
     Finding {
         title: format!("{} printed cells are impossible", broken.len()),
-        text: if broken.is_empty() { "None.".to_owned() } else { format!("{}.", broken.join("; ")) },
+        text: "They break a bound that holds for every controller, or an exact identity of the stated loop."
+            .to_owned(),
+        points: broken,
     }
 }
 
@@ -121,11 +121,12 @@ fn two_readings(cells: &[Cell], row: &str, title: &str, conventions: [&str; 2]) 
         let of_row = |c: &&Cell| c.row == row && c.convention.starts_with(convention);
         let reproduced = cells.iter().filter(of_row).filter(|c| c.verdict == Verdict::Reproduced);
         let names: Vec<String> = reproduced.map(|c| format!("{} {}", c.table, c.column)).collect();
-        format!("{} cells reproduce with “{convention}” ({})", names.len(), names.join(", "))
+        format!("“{convention}” reproduces {} cells: {}", names.len(), names.join(", "))
     };
     Finding {
         title: title.to_owned(),
-        text: format!("{}; {}.", count(conventions[0]), count(conventions[1])),
+        text: "No single reading reproduces the row.".to_owned(),
+        points: conventions.map(count).to_vec(),
     }
 }
 
@@ -135,16 +136,18 @@ fn unexplained_cells(cells: &[Cell]) -> Finding {
         .filter(|c| matches!(c.verdict, Verdict::Close | Verdict::NotReproduced))
         .map(|c| {
             let percent = 100.0 * (c.computed / c.printed - 1.0);
-            format!(
-                "{} {} {} (printed {}, computed {:.5}, {percent:+.1} %)",
-                c.table, c.row, c.column, c.printed, c.computed
-            )
+            format!("{}, computed {:.5}: {percent:+.1} %", name(c), c.computed)
         })
         .collect();
     Finding {
         title: format!("{} cells differ without an explanation", named.len()),
-        text: format!("No listed convention brings them within 0.5 %: {}.", named.join("; ")),
+        text: "No listed convention brings them within 0.5 %.".to_owned(),
+        points: named,
     }
+}
+
+fn name(cell: &Cell) -> String {
+    format!("{} {} {} = {}", cell.table, cell.row, cell.column, cell.printed)
 }
 
 fn describe(margins: &Margins) -> String {
