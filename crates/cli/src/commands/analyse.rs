@@ -42,13 +42,13 @@ pub(crate) fn run(args: &LoopArgs, console: Console) -> Result<Answer, Fault> {
         columns.push((if columns.is_empty() { "loop" } else { "whole loop" }, &whole));
         text += &margins_table(console, &columns);
         let poles: Vec<String> = poles.iter().map(|pole| root(pole.re, pole.im)).collect();
-        let _ = write!(
+        let _ = writeln!(
             text,
-            " dominant poles [1/s]  {}\n",
+            " dominant poles [1/s]  {}",
             if poles.is_empty() { "–".to_owned() } else { poles.join(", ") }
         );
         let _ =
-            write!(text, " noise gain            {}\n", noise_gain.map_or_else(|| "∞".to_owned(), number));
+            writeln!(text, " noise gain            {}", noise_gain.map_or_else(|| "∞".to_owned(), number));
     }
     Ok(Answer { json, text, warnings, ..Answer::default() })
 }

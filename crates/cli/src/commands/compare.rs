@@ -63,7 +63,7 @@ fn chosen<'r>(result: &'r StudyResult, name: Option<&str>) -> Result<&'r Scenari
 
 fn text(process: &Process, result: &StudyResult, console: Console) -> Result<String, Fault> {
     let mut text = title(console, &result.title);
-    let _ = write!(text, "{}\n", process_line(process));
+    let _ = writeln!(text, "{}", process_line(process));
     for scenario in &result.scenarios {
         text.push('\n');
         text += &title(console, &scenario_line(scenario));

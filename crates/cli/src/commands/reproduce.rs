@@ -20,9 +20,9 @@ pub(crate) fn run(args: &ReproduceArgs, console: Console) -> Result<Answer, Faul
 fn text(reproduction: &Reproduction, console: Console) -> String {
     let summary = &reproduction.summary;
     let mut text = title(console, &reproduction.paper);
-    let _ = write!(
+    let _ = writeln!(
         text,
-        "{} printed cells: {} reproduced, {} close, {} not reproduced, {} impossible\n",
+        "{} printed cells: {} reproduced, {} close, {} not reproduced, {} impossible",
         summary.cells, summary.reproduced, summary.close, summary.not_reproduced, summary.impossible
     );
     let mut names: Vec<&str> = reproduction.cells.iter().map(|cell| cell.table.as_str()).collect();

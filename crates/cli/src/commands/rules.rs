@@ -26,7 +26,7 @@ pub(crate) fn run(args: &RulesArgs, console: Console) -> Result<Answer, Fault> {
         };
         let rows: Vec<Vec<String>> = rules().iter().map(row).collect();
         text = table(console, &["rule", "structure", "process", "authors"], &rows);
-        let _ = write!(text, "{} rules; 'holdup rules ID' shows the page of one\n", rows.len());
+        let _ = writeln!(text, "{} rules; 'holdup rules ID' shows the page of one", rows.len());
     }
     Ok(Answer { json, text, ..Answer::default() })
 }

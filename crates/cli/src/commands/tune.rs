@@ -130,7 +130,7 @@ impl Tuned {
         text += &asked_and_achieved(&self.tuning.specification, &self.achieved, console);
         text += &margins_table(console, &[("achieved", &self.achieved)]);
         for other in &self.tuning.alternatives {
-            let _ = write!(text, "also: {}\n", controller_line(other));
+            let _ = writeln!(text, "also: {}", controller_line(other));
         }
         if !self.tuning.trade_off.is_empty() {
             let row = |point: &holdup::tuning::TradeOff| {
@@ -177,7 +177,7 @@ fn asked_and_achieved(asked: &Specification, achieved: &Margins, console: Consol
         text += &table(console, &["", "specified", "achieved"], &rows);
     }
     if others != Specification::default() {
-        let _ = write!(text, "specified besides: {others}\n");
+        let _ = writeln!(text, "specified besides: {others}");
     }
     if !text.is_empty() {
         text.push('\n');
