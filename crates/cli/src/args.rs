@@ -33,9 +33,9 @@ pub(crate) struct AnswerArgs {
     #[arg(long, global = true)]
     pub(crate) json: bool,
     #[expect(clippy::doc_markdown, reason = "help text, shown as it is")]
-    /// Exit with status 1 unless the result meets this, e.g. 'gain_margin>=2'; repeatable. NAME is a field of
-    /// the --json result: its name where that is unique, or a dotted path
-    #[arg(long, global = true, value_name = "NAME>=VALUE")]
+    /// Exit with status 1 unless the result meets this, e.g. 'gain_margin>=2'; repeatable. The name is that of a field of
+    /// the --json result: alone where it is unique, or a dotted path
+    #[arg(long, global = true, value_name = "CONDITION")]
     pub(crate) require: Vec<String>,
 }
 
@@ -62,7 +62,7 @@ Examples:
     /// Simulate a loop exactly
     #[command(after_help = "\
 Examples:
-  holdup simulate -p K=0.0506,d=6 -c Kc=2.95,Ti=15,Td=3,N=100 --setpoint 0:1 --load 100:1 --horizon 300
+  holdup simulate -p K=0.0506,d=6 -c Kc=2.95,Ti=15,Td=3,N=100 --load 100:1
   holdup simulate -p K=0.0506,d=6 -c Kc=1.5321,Td=1.0343,N=100 --csv step.csv --plot step.svg")]
     Simulate(SimulateArgs),
     /// Compare several controllers on several scenarios, from a study file

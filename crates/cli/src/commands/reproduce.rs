@@ -67,7 +67,7 @@ fn wrapped(text: &str, width: usize) -> String {
         if !line.is_empty() && line.chars().count() + 1 + word.chars().count() > width {
             lines += &line;
             lines.push('\n');
-            line = "  ".to_owned();
+            "  ".clone_into(&mut line);
         } else if !line.is_empty() {
             line.push(' ');
         }

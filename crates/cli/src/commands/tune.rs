@@ -115,16 +115,16 @@ impl Tuned {
 
     fn text(&self, process: &Process, entry: &Entry, console: Console) -> String {
         let mut text = title(console, &controller_line(&self.tuning.controller));
-        text +=
-            &format!("by {} ({}, {})\non {}\n", entry.id, entry.authors, entry.year, process_line(process));
+        let from = format!("{} ({}, {})", entry.id, entry.authors, entry.year);
+        let _ = writeln!(text, "by {from}\non {}", process_line(process));
         let published = &self.tuning.published;
         if !published.settings.is_empty() {
             let settings = published.settings.iter().map(|setting| {
                 let unit = if setting.unit.is_empty() { String::new() } else { format!(" {}", setting.unit) };
                 format!("{} = {}{unit}", setting.name, number(setting.value))
             });
-            text +=
-                &format!("as published: {} ({})\n", settings.collect::<Vec<_>>().join(", "), published.form);
+            let settings: Vec<String> = settings.collect();
+            let _ = writeln!(text, "as published: {} ({})", settings.join(", "), published.form);
         }
         text.push('\n');
         text += &asked_and_achieved(&self.tuning.specification, &self.achieved, console);
