@@ -32,9 +32,10 @@ pub(crate) struct AnswerArgs {
     /// Write the result as JSON, and nothing else, to standard output
     #[arg(long, global = true)]
     pub(crate) json: bool,
-    /// Exit with status 1 unless the result meets this, e.g. 'gain_margin>=2'; repeatable. NAME is a field of
-    /// the --json result: its name where that is unique, or a dotted path
-    #[arg(long, global = true, value_name = "NAME>=VALUE")]
+    #[expect(clippy::doc_markdown, reason = "help text, shown as it is")]
+    /// Exit with status 1 unless the result meets this, e.g. 'gain_margin>=2'; repeatable. The name is that of a field of
+    /// the --json result: alone where it is unique, or a dotted path
+    #[arg(long, global = true, value_name = "CONDITION")]
     pub(crate) require: Vec<String>,
 }
 
@@ -61,7 +62,7 @@ Examples:
     /// Simulate a loop exactly
     #[command(after_help = "\
 Examples:
-  holdup simulate -p K=0.0506,d=6 -c Kc=2.95,Ti=15,Td=3,N=100 --setpoint 0:1 --load 100:1 --horizon 300
+  holdup simulate -p K=0.0506,d=6 -c Kc=2.95,Ti=15,Td=3,N=100 --load 100:1
   holdup simulate -p K=0.0506,d=6 -c Kc=1.5321,Td=1.0343,N=100 --csv step.csv --plot step.svg")]
     Simulate(SimulateArgs),
     /// Compare several controllers on several scenarios, from a study file
@@ -147,6 +148,7 @@ pub(crate) struct SimulateArgs {
     /// The scenario.
     #[command(flatten)]
     pub(crate) scenario: ScenarioArgs,
+    #[expect(clippy::doc_markdown, reason = "help text, shown as it is")]
     /// Write t, setpoint, controlled_variable, manipulated_variable, load, load_estimate as CSV
     #[arg(long, value_name = "FILE.csv")]
     pub(crate) csv: Option<PathBuf>,

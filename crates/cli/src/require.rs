@@ -178,7 +178,7 @@ fn leaves(value: &Value, path: &mut Vec<Step>, fields: &mut Vec<Field>) {
         }),
         Value::Number(number) => fields.push(Field { path: path.clone(), value: number.as_f64() }),
         Value::Bool(truth) => {
-            fields.push(Field { path: path.clone(), value: Some(f64::from(u8::from(*truth))) })
+            fields.push(Field { path: path.clone(), value: Some(f64::from(u8::from(*truth))) });
         }
         Value::Null => fields.push(Field { path: path.clone(), value: None }),
         Value::String(_) => {}

@@ -31,7 +31,9 @@ fn each_fault_of_the_options_names_option_and_value() {
         (&["extra.toml"], &["--process", "extra.toml"]),
     ] {
         let error = refused(&[&LOOP[..], words].concat());
-        parts.iter().for_each(|part| assert!(error.contains(part), "{words:?}: {error}"));
+        for part in parts {
+            assert!(error.contains(part), "{words:?}: {error}");
+        }
     }
 }
 

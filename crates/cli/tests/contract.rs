@@ -106,7 +106,9 @@ fn tune_without_a_rule_ranks_those_that_apply() {
     let result = json(&["tune", "-p", PROCESS]);
     let rules = result.as_array().unwrap();
     assert!(rules.len() >= 7);
-    rules.iter().for_each(|rule| has(rule, &["rule", "controller", "specification", "achieved", "warnings"]));
+    for rule in rules {
+        has(rule, &["rule", "controller", "specification", "achieved", "warnings"]);
+    }
 }
 
 #[test]

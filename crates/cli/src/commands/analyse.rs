@@ -1,5 +1,7 @@
 //! `holdup analyse`: stability and exact margins.
 
+use std::fmt::Write as _;
+
 use holdup::analysis::frequency::{Margins, dominant_poles, loop_without_observer, margins, observer_loop};
 use holdup::model::{ClosedLoop, Controller, Process};
 use serde_json::{Value, json};
@@ -40,11 +42,13 @@ pub(crate) fn run(args: &LoopArgs, console: Console) -> Result<Answer, Fault> {
         columns.push((if columns.is_empty() { "loop" } else { "whole loop" }, &whole));
         text += &margins_table(console, &columns);
         let poles: Vec<String> = poles.iter().map(|pole| root(pole.re, pole.im)).collect();
-        text += &format!(
-            " dominant poles [1/s]  {}\n",
+        let _ = writeln!(
+            text,
+            " dominant poles [1/s]  {}",
             if poles.is_empty() { "–".to_owned() } else { poles.join(", ") }
         );
-        text += &format!(" noise gain            {}\n", noise_gain.map_or_else(|| "∞".to_owned(), number));
+        let _ =
+            writeln!(text, " noise gain            {}", noise_gain.map_or_else(|| "∞".to_owned(), number));
     }
     Ok(Answer { json, text, warnings, ..Answer::default() })
 }

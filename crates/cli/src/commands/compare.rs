@@ -1,5 +1,7 @@
 //! `holdup compare`: a study, as tables, report, figure or data.
 
+use std::fmt::Write as _;
+
 use holdup::analysis::metrics::METRICS as COLUMNS;
 use holdup::analysis::response::{plot_times, trajectory};
 use holdup::model::{ClosedLoop, Process, Radians};
@@ -61,7 +63,7 @@ fn chosen<'r>(result: &'r StudyResult, name: Option<&str>) -> Result<&'r Scenari
 
 fn text(process: &Process, result: &StudyResult, console: Console) -> Result<String, Fault> {
     let mut text = title(console, &result.title);
-    text += &format!("{}\n", process_line(process));
+    let _ = writeln!(text, "{}", process_line(process));
     for scenario in &result.scenarios {
         text.push('\n');
         text += &title(console, &scenario_line(scenario));
@@ -199,7 +201,7 @@ fn csv(result: &StudyResult) -> Vec<u8> {
     text.push('\n');
     for scenario in &result.scenarios {
         for row in &scenario.rows {
-            text += &format!("{},{}", quoted(&scenario.name), quoted(&row.controller));
+            let _ = write!(text, "{},{}", quoted(&scenario.name), quoted(&row.controller));
             for column in COLUMNS {
                 text.push(',');
                 if let Some(value) = (column.value)(&row.metrics) {

@@ -1,5 +1,7 @@
 //! `holdup reproduce`: every printed number of a paper against the computed one.
 
+use std::fmt::Write as _;
+
 use holdup::study::published::{Cell, Reproduction, Verdict, reproduce};
 
 use crate::args::ReproduceArgs;
@@ -18,8 +20,9 @@ pub(crate) fn run(args: &ReproduceArgs, console: Console) -> Result<Answer, Faul
 fn text(reproduction: &Reproduction, console: Console) -> String {
     let summary = &reproduction.summary;
     let mut text = title(console, &reproduction.paper);
-    text += &format!(
-        "{} printed cells: {} reproduced, {} close, {} not reproduced, {} impossible\n",
+    let _ = writeln!(
+        text,
+        "{} printed cells: {} reproduced, {} close, {} not reproduced, {} impossible",
         summary.cells, summary.reproduced, summary.close, summary.not_reproduced, summary.impossible
     );
     let mut names: Vec<&str> = reproduction.cells.iter().map(|cell| cell.table.as_str()).collect();
@@ -67,7 +70,7 @@ fn wrapped(text: &str, width: usize) -> String {
         if !line.is_empty() && line.chars().count() + 1 + word.chars().count() > width {
             lines += &line;
             lines.push('\n');
-            line = "  ".to_owned();
+            "  ".clone_into(&mut line);
         } else if !line.is_empty() {
             line.push(' ');
         }

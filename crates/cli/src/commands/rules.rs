@@ -1,5 +1,7 @@
 //! `holdup rules`: the list of the rules, and the page of one.
 
+use std::fmt::Write as _;
+
 use holdup::tuning::{Default, Entry, Status, rule, rules};
 use serde_json::{Value, json};
 
@@ -24,7 +26,7 @@ pub(crate) fn run(args: &RulesArgs, console: Console) -> Result<Answer, Fault> {
         };
         let rows: Vec<Vec<String>> = rules().iter().map(row).collect();
         text = table(console, &["rule", "structure", "process", "authors"], &rows);
-        text += &format!("{} rules; 'holdup rules ID' shows the page of one\n", rows.len());
+        let _ = writeln!(text, "{} rules; 'holdup rules ID' shows the page of one", rows.len());
     }
     Ok(Answer { json, text, ..Answer::default() })
 }
@@ -125,5 +127,5 @@ fn folded(name: &str, value: &str, width: usize) -> String {
     const INDENT: usize = 12;
     let lines = fold(value, width - INDENT);
     let heads = std::iter::once(name).chain(std::iter::repeat(""));
-    heads.zip(&lines).map(|(head, line)| format!("{head:<INDENT$}{line}\n")).collect()
+    heads.zip(&lines).fold(String::new(), |text, (head, line)| text + &format!("{head:<INDENT$}{line}\n"))
 }

@@ -1,5 +1,7 @@
 //! `holdup simulate`: one loop on one scenario.
 
+use std::fmt::Write as _;
+
 use holdup::analysis::bounds::Bounds;
 use holdup::analysis::response::{Scenario, Trajectory, plot_times, simulate, trajectory};
 use holdup::model::quantity::{read_number, read_time};
@@ -93,7 +95,8 @@ pub(crate) fn run(args: &SimulateArgs, console: Console) -> Result<Answer, Fault
             &["", "this loop", "no controller beats", "% of best possible"],
             &rows.collect::<Vec<_>>(),
         );
-        text += &format!(
+        let _ = write!(
+            text,
             " at the end: y = {}, u = {}\n\n",
             number(response.final_controlled_variable),
             number(response.final_manipulated_variable)
@@ -127,7 +130,7 @@ fn times(args: &SimulateArgs, horizon: f64) -> Result<Vec<f64>, Fault> {
         }
         // The horizon itself is always the last time.
         let mut times: Vec<f64> =
-            (0_u32..).map(|k| f64::from(k) * step).take_while(|t| *t < horizon).collect();
+            (0..=u32::MAX).map(|k| f64::from(k) * step).take_while(|time| *time < horizon).collect();
         times.push(horizon);
         return Ok(times);
     }

@@ -1,5 +1,7 @@
 //! `holdup tune`: a controller by one rule, or by all that apply.
 
+use std::fmt::Write as _;
+
 use holdup::analysis::frequency::{Margins, margins};
 use holdup::analysis::response::{Scenario, simulate};
 use holdup::model::description::ControllerDescription;
@@ -113,22 +115,22 @@ impl Tuned {
 
     fn text(&self, process: &Process, entry: &Entry, console: Console) -> String {
         let mut text = title(console, &controller_line(&self.tuning.controller));
-        text +=
-            &format!("by {} ({}, {})\non {}\n", entry.id, entry.authors, entry.year, process_line(process));
+        let from = format!("{} ({}, {})", entry.id, entry.authors, entry.year);
+        let _ = writeln!(text, "by {from}\non {}", process_line(process));
         let published = &self.tuning.published;
         if !published.settings.is_empty() {
             let settings = published.settings.iter().map(|setting| {
                 let unit = if setting.unit.is_empty() { String::new() } else { format!(" {}", setting.unit) };
                 format!("{} = {}{unit}", setting.name, number(setting.value))
             });
-            text +=
-                &format!("as published: {} ({})\n", settings.collect::<Vec<_>>().join(", "), published.form);
+            let settings: Vec<String> = settings.collect();
+            let _ = writeln!(text, "as published: {} ({})", settings.join(", "), published.form);
         }
         text.push('\n');
         text += &asked_and_achieved(&self.tuning.specification, &self.achieved, console);
         text += &margins_table(console, &[("achieved", &self.achieved)]);
         for other in &self.tuning.alternatives {
-            text += &format!("also: {}\n", controller_line(other));
+            let _ = writeln!(text, "also: {}", controller_line(other));
         }
         if !self.tuning.trade_off.is_empty() {
             let row = |point: &holdup::tuning::TradeOff| {
@@ -175,7 +177,7 @@ fn asked_and_achieved(asked: &Specification, achieved: &Margins, console: Consol
         text += &table(console, &["", "specified", "achieved"], &rows);
     }
     if others != Specification::default() {
-        text += &format!("specified besides: {others}\n");
+        let _ = writeln!(text, "specified besides: {others}");
     }
     if !text.is_empty() {
         text.push('\n');

@@ -87,8 +87,11 @@ fn several(values: &[f64]) -> String {
     }
 }
 
+/// A metric for reading.
+type Shown = fn(&Metrics) -> String;
+
 /// Headings and cells of the time-domain metrics.
-pub(crate) const METRICS: [(&str, fn(&Metrics) -> String); 10] = [
+pub(crate) const METRICS: [(&str, Shown); 10] = [
     ("IAE", |m| number(m.iae)),
     ("ISE", |m| number(m.ise)),
     ("ITAE", |m| number(m.itae)),

@@ -1,5 +1,9 @@
 //! Running the command.
-#![allow(dead_code, reason = "each test file uses its part")]
+#![allow(
+    dead_code,
+    clippy::unwrap_used,
+    reason = "each test file uses its part, and helpers of tests may unwrap"
+)]
 
 use std::path::PathBuf;
 use std::process::{Command, Output};

@@ -6,6 +6,8 @@
 //! are converted; in parallel form `Ti` and `Td` are the weights of their own terms,
 //! `Kc + 1/(Ti·s) + Td·s`, and `Ki`, `Kd` may be given instead.
 
+use std::fmt::Write as _;
+
 use super::controller::{Controller, DerivativeFilter};
 use super::forms::Form;
 use super::process::Process;
@@ -128,7 +130,9 @@ pub(crate) fn read_form(key: &str, text: &str) -> Result<Form, TextError> {
 #[must_use]
 pub fn write_process(process: &Process) -> String {
     let mut text = format!("K={},d={}", process.process_gain(), process.dead_time());
-    let mut push = |key: &str, value: f64| text.push_str(&format!(",{key}={value}"));
+    let mut push = |key: &str, value: f64| {
+        let _ = write!(text, ",{key}={value}");
+    };
     if let Some(lag) = process.lag() {
         push("T", lag);
     }
@@ -144,7 +148,7 @@ pub fn write_controller(controller: &Controller) -> String {
     let mut text = format!("Kc={}", controller.proportional_gain());
     let mut push = |key: &str, value: Option<f64>| {
         if let Some(value) = value {
-            text.push_str(&format!(",{key}={value}"));
+            let _ = write!(text, ",{key}={value}");
         }
     };
     push("Ti", controller.integral_time());

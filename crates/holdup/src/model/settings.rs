@@ -20,8 +20,7 @@ impl ProcessSettings {
     pub(crate) fn process(self) -> Result<Process, ModelError> {
         let dead_time = Seconds(self.dead_time);
         let process = match self.integrators {
-            None => Process::integrating(self.process_gain, dead_time)?,
-            Some(1.0) => Process::integrating(self.process_gain, dead_time)?,
+            None | Some(1.0) => Process::integrating(self.process_gain, dead_time)?,
             Some(2.0) => Process::double_integrating(self.process_gain, dead_time)?,
             Some(value) => {
                 return Err(ModelError::OutOfRange { name: "integrators", value, allowed: "1 or 2" });
