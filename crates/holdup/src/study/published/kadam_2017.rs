@@ -166,7 +166,7 @@ fn compute(
                 "servo_and_regulatory" => both,
                 _ => servo,
             };
-            floors = limits(process, row, &observed, &scenario, (table, column), step)?;
+            floors = limits(process, row, &observed, &scenario, (table, column), step);
         }
     }
     Ok((candidates, floors))
@@ -180,7 +180,7 @@ fn limits(
     scenario: &Scenario,
     (table, column): (&str, &str),
     step: f64,
-) -> Result<Vec<Floor>, PublishedError> {
+) -> Vec<Floor> {
     let bounds = Bounds::of(process, scenario);
     let index = index_of(table, column);
     let bound = match index {
@@ -213,7 +213,7 @@ fn limits(
             why: format!("|∫e dt| = {formula} = {value:.3} exactly for this loop, and IAE cannot be smaller"),
         }));
     }
-    Ok(floors)
+    floors
 }
 
 /// A controller parameter of the parameter table: what the rule or the stated formula gives.

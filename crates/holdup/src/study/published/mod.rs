@@ -239,12 +239,11 @@ fn judge(
     candidates.sort_by(|a, b| distance(a).partial_cmp(&distance(b)).unwrap_or(std::cmp::Ordering::Equal));
     let best = candidates.first()?.clone();
     let broken = floors.iter().find(|f| printed.value + printed.half_unit < f.value * (1.0 - 1e-9));
-    let (verdict, reason) = match broken {
-        Some(floor) => (Verdict::Impossible, Some(floor.why.clone())),
-        None => {
-            let verdict = printed.verdict(best.computed);
-            (verdict, reason_of(verdict, printed, &best, &candidates))
-        }
+    let (verdict, reason) = if let Some(floor) = broken {
+        (Verdict::Impossible, Some(floor.why.clone()))
+    } else {
+        let verdict = printed.verdict(best.computed);
+        (verdict, reason_of(verdict, printed, &best, &candidates))
     };
     Some(Cell {
         table: table.to_owned(),

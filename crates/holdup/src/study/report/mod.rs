@@ -62,6 +62,9 @@ pub fn report(
             }
         }
         section = section.with_table(tables::metrics(scenario)?);
+        if let Some(table) = tables::percent_of_best(scenario)? {
+            section = section.with_table(table);
+        }
         let reasons = scenario.rows.first().map(|r| r.bounds.reasons.clone()).unwrap_or_default();
         if !reasons.is_empty() {
             section = section.with_list(reasons);

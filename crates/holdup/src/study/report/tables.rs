@@ -2,11 +2,11 @@
 
 use super::ReportError;
 use crate::analysis::frequency::Margins;
-use crate::analysis::metrics::METRICS;
+use crate::analysis::metrics::{METRICS, Metric};
 use crate::model::{Radians, Seconds};
 use crate::study::figures::page::{Column, Table};
 use crate::study::published::{Cell, Reproduction};
-use crate::study::{ControllerResult, FamilyResult, ScenarioResult, StudyResult};
+use crate::study::{ControllerResult, FamilyResult, PercentOfBest, Row, ScenarioResult, StudyResult};
 
 /// A number to five significant digits; a dash where there is none.
 pub(super) fn number(value: Option<f64>) -> String {
@@ -15,8 +15,8 @@ pub(super) fn number(value: Option<f64>) -> String {
         Some(0.0) => "0".to_owned(),
         Some(x) if !x.is_finite() => "–".to_owned(),
         Some(x) => {
-            let digits = 4 - x.abs().log10().floor().clamp(-20.0, 20.0) as i32;
-            let decimals = usize::try_from(digits.clamp(0, 12)).unwrap_or_default();
+            let decimals = (0..10).find(|&decimals| x.abs() * 10_f64.powi(decimals) >= 1e4).unwrap_or(10);
+            let decimals = usize::try_from(decimals).unwrap_or_default();
             if x.abs() < 1e-5 || x.abs() >= 1e7 { format!("{x:.3e}") } else { format!("{x:.decimals$}") }
         }
     }
@@ -36,9 +36,18 @@ fn table(
     Ok(Table::new(caption, columns, rows)?)
 }
 
+/// The heading of a metric's column, its unit in brackets.
 fn heading(name: &str, unit: &str) -> String {
-    let name = name.strip_suffix("_s").unwrap_or(name).replace('_', " ");
-    if unit.is_empty() || unit == "–" { name } else { format!("{name} [{unit}]") }
+    let name = match name {
+        "iae" | "ise" | "itae" => name.to_uppercase(),
+        "settling_time_s" => "settling time 2 %".to_owned(),
+        "settling_time_5_s" => "settling time 5 %".to_owned(),
+        _ => name.strip_suffix("_s").unwrap_or(name).replace('_', " "),
+    };
+    match unit {
+        "s" | "ratio" => format!("{name} [{unit}]"),
+        _ => name,
+    }
 }
 
 /// Settings of every controller.
@@ -136,25 +145,45 @@ pub(super) fn specified(study: &StudyResult) -> Result<Option<Table>, ReportErro
     Ok(Some(table("Specified and achieved", &["controller", "quantity"], &columns, rows)?))
 }
 
-/// Metrics of every controller on a scenario, each with the percent of the best possible where that is known.
+/// Metrics of every controller on a scenario, those that the scenario has.
 pub(super) fn metrics(scenario: &ScenarioResult) -> Result<Table, ReportError> {
-    let mut columns: Vec<String> = METRICS.iter().map(|m| heading(m.name, m.unit)).collect();
-    columns.extend(["IAE", "ISE", "ITAE", "peak"].map(|name| format!("{name}: % of best possible")));
-    let rows = scenario
-        .rows
-        .iter()
-        .map(|row| {
-            let mut cells = vec![row.controller.clone()];
-            cells.extend(METRICS.iter().map(|m| number((m.value)(&row.metrics))));
-            let best = &row.percent_of_best;
-            cells.extend([best.iae, best.ise, best.itae, best.peak].map(|p| match p {
-                Some(p) => format!("{p:.1}"),
-                None => "–".to_owned(),
-            }));
-            cells
-        })
-        .collect();
-    table(&scenario.name, &["controller"], &columns, rows)
+    let has = |metric: &&Metric| scenario.rows.iter().any(|row| (metric.value)(&row.metrics).is_some());
+    let used: Vec<&Metric> = METRICS.iter().filter(has).collect();
+    let columns: Vec<String> = used.iter().map(|m| heading(m.name, m.unit)).collect();
+    let row = |row: &Row| {
+        let values = used.iter().map(|m| number((m.value)(&row.metrics)));
+        std::iter::once(row.controller.clone()).chain(values).collect()
+    };
+    table(&scenario.name, &["controller"], &columns, scenario.rows.iter().map(row).collect())
+}
+
+/// How near every controller comes to the best possible; `None` where no bound is known.
+pub(super) fn percent_of_best(scenario: &ScenarioResult) -> Result<Option<Table>, ReportError> {
+    let Some(bounds) = scenario.rows.first().map(|row| &row.bounds) else { return Ok(None) };
+    let of = |best: &PercentOfBest| [best.iae, best.ise, best.itae, best.peak];
+    let known: Vec<(usize, String)> =
+        [("IAE", bounds.iae), ("ISE", bounds.ise), ("ITAE", bounds.itae), ("peak", bounds.peak)]
+            .into_iter()
+            .enumerate()
+            .filter_map(|(index, (name, bound))| Some((index, format!("{name} ≥ {}", number(Some(bound?))))))
+            .collect();
+    if known.is_empty() {
+        return Ok(None);
+    }
+    let row = |row: &Row| {
+        let percents = known.iter().map(|(index, _)| {
+            of(&row.percent_of_best)[*index].map_or_else(|| "–".to_owned(), |p| format!("{p:.1} %"))
+        });
+        std::iter::once(row.controller.clone()).chain(percents).collect()
+    };
+    let columns: Vec<String> = known.iter().map(|(_, name)| name.clone()).collect();
+    let rows = scenario.rows.iter().map(row).collect();
+    Ok(Some(table(
+        "Percent of the best possible, with the bound that no controller beats",
+        &["controller"],
+        &columns,
+        rows,
+    )?))
 }
 
 /// A family: what was asked for beside what came out.
