@@ -1,4 +1,4 @@
-//! holdup designs, proves and simulates control loops of integrating processes with dead time.
+#![doc = include_str!("../../../README.md")]
 
 pub mod analysis;
 pub mod model;

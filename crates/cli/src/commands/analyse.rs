@@ -41,7 +41,8 @@ pub(crate) fn run(args: &LoopArgs, console: Console) -> Result<Answer, Fault> {
         let mut columns: Vec<(&str, &Margins)> = parts.iter().flat_map(Parts::columns).collect();
         columns.push((if columns.is_empty() { "loop" } else { "whole loop" }, &whole));
         text += &margins_table(console, &columns);
-        let poles: Vec<String> = poles.iter().map(|pole| root(pole.re, pole.im)).collect();
+        let poles: Vec<String> =
+            poles.iter().filter(|pole| pole.im >= 0.0).map(|pole| root(pole.re, pole.im)).collect();
         let _ = writeln!(
             text,
             " dominant poles [1/s]  {}",
