@@ -372,7 +372,7 @@ impl<'a> Solver<'a> {
         for (c, row) in system.inputs.iter().enumerate() {
             let mut input = combined(row, &self.state_polys, &self.delayed_polys);
             if !system.has_rest {
-                input[0] += row.of(&[], &[], self.setpoint, self.load);
+                input[0] += row.constant(self.setpoint, self.load);
             }
             self.input_polys[c] = input;
         }
@@ -421,7 +421,7 @@ impl<'a> Solver<'a> {
         manipulated[0] += if system.has_rest {
             self.rest.manipulated
         } else {
-            system.manipulated.of(&[], &[], self.setpoint, self.load)
+            system.manipulated.constant(self.setpoint, self.load)
         };
         let estimate = system.load_estimate.as_ref().map(|row| {
             let mut estimate = combined(row, &self.state_polys, &self.delayed_polys);
@@ -505,7 +505,7 @@ fn forcing(
         add(&mut g, half * weight, &states[j]);
     }
     if !system.has_rest {
-        g[0] += half * row.of(&[], &[], solver.setpoint, solver.load);
+        g[0] += half * row.constant(solver.setpoint, solver.load);
     }
     g
 }

@@ -38,12 +38,16 @@ impl Row {
         self.delayed.iter().find(|(c, _)| *c == index).map_or(0.0, |(_, w)| *w)
     }
 
+    /// The part of the sum that comes from setpoint and load.
+    pub(super) fn constant(&self, setpoint: f64, load: f64) -> f64 {
+        self.setpoint * setpoint + self.load * load
+    }
+
     /// The sum for given values of its sources.
     pub(super) fn of(&self, states: &[f64], delayed: &[f64], setpoint: f64, load: f64) -> f64 {
         self.states.iter().map(|&(i, w)| w * states[i]).sum::<f64>()
             + self.delayed.iter().map(|&(c, w)| w * delayed[c]).sum::<f64>()
-            + self.setpoint * setpoint
-            + self.load * load
+            + self.constant(setpoint, load)
     }
 }
 
