@@ -280,7 +280,11 @@ proptest! {
         };
         let horizon = 50.0 * power(d);
         let scenario = Scenario::new(vec![(0.0, 1.0)], vec![(horizon / 3.0, load)], Seconds(horizon), 0.0).unwrap();
-        if let Ok(response) = simulate(&ClosedLoop::new(&plant, &controller), &scenario) {
+        let start = std::time::Instant::now();
+        eprintln!("{plant:?} {controller:?} {scenario:?}");
+        let answer = simulate(&ClosedLoop::new(&plant, &controller), &scenario);
+        prop_assert!(start.elapsed().as_secs_f64() < 1.0, "{plant:?} {controller:?} {:?}", start.elapsed());
+        if let Ok(response) = answer {
             prop_assert!(response.final_controlled_variable.is_finite(), "{response:?}");
             prop_assert!(METRICS.iter().all(|m| (m.value)(&response.metrics).is_none_or(f64::is_finite)));
         }

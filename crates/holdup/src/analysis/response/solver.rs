@@ -12,10 +12,12 @@ use super::legendre::{Poly, TERMS, add, ends, integrated, magnitude, significant
 use super::scenario::Scenario;
 use super::system::{Rest, Row, System};
 
-/// Cells after which a simulation gives up (a few seconds of computing).
-pub(super) const CELL_BUDGET: u64 = 4_000_000;
+/// Cells, those that were too long included, after which a simulation gives up (a few seconds of computing).
+const CELL_BUDGET: u64 = 2_000_000;
 /// A cell is accepted when its last coefficients are below this part of the signal's largest value so far.
 const TOLERANCE: f64 = 2e-14;
+/// And always when they are below this part of the sum of magnitudes it was made from: that is rounding.
+const ROUNDING: f64 = 1e-15;
 /// Last coefficients below this part of the signal's largest value so far, and below a millionth of the signal here, are
 /// not carried on.
 const FLOOR: f64 = 1e-18;
@@ -117,6 +119,8 @@ pub(super) struct Solver<'a> {
     /// Rate of the fastest pole [1/s].
     fastest: f64,
     quiet: f64,
+    /// Cells computed so far.
+    tried: u64,
     longest_delay: f64,
     impulsive: bool,
     cache: Vec<(u64, Vec<Factors>)>,
@@ -150,6 +154,7 @@ impl<'a> Solver<'a> {
             since_event: LAYER.len(),
             fastest,
             quiet: f64::INFINITY,
+            tried: 0,
             longest_delay: system.delays.iter().copied().fold(0.0, f64::max),
             impulsive: false,
             cache: vec![(0, Vec::new()); CACHE],
@@ -169,7 +174,6 @@ impl<'a> Solver<'a> {
         let events = merged_events(scenario);
         let mut next_event = 0;
         let horizon = scenario.horizon();
-        let mut cells = 0;
         loop {
             let tiny = self.tiny();
             let mut breakpoint = None;
@@ -207,9 +211,9 @@ impl<'a> Solver<'a> {
             };
             self.show(length, watch);
             self.commit(length, tiny, breakpoint);
-            cells += 1;
-            if cells > CELL_BUDGET {
-                return Err(ResponseError::HorizonTooLong { horizon, reached: self.now.seconds(), cells });
+            if self.tried > CELL_BUDGET {
+                let reached = self.now.seconds();
+                return Err(ResponseError::HorizonTooLong { horizon, reached, cells: CELL_BUDGET });
             }
         }
     }
@@ -340,6 +344,7 @@ impl<'a> Solver<'a> {
         for (poly, line) in self.delayed_polys.iter_mut().zip(&self.lines) {
             *poly = line.ahead(length, tiny).0;
         }
+        self.tried += 1;
         let system = self.system;
         let slot = self.factors(length);
         let half = 0.5 * length;
@@ -380,20 +385,24 @@ impl<'a> Solver<'a> {
 
     /// Whether the cell resolves its signals; `None` if they are not finite.
     fn acceptable(&self) -> Option<bool> {
-        let resolved = |poly: &Poly, scale: f64| {
+        let resolved = |poly: &Poly, scale: f64, noise: f64| {
             let size = magnitude(poly);
-            size.is_finite().then(|| tail(poly) <= TOLERANCE * scale.max(size))
+            size.is_finite().then(|| tail(poly) <= TOLERANCE * scale.max(size) + ROUNDING * noise)
         };
         let mut good = true;
-        for (poly, &scale) in self.input_polys.iter().zip(&self.input_scales) {
-            good &= resolved(poly, scale)?;
+        for ((poly, &scale), row) in self.input_polys.iter().zip(&self.input_scales).zip(&self.system.inputs)
+        {
+            let noise = row.states.iter().map(|&(i, w)| w.abs() * self.state_scales[i]).sum();
+            good &= resolved(poly, scale, noise)?;
         }
         for (poly, &scale) in self.state_polys.iter().zip(&self.state_scales) {
-            good &= resolved(poly, scale)?;
+            good &= resolved(poly, scale, 0.0)?;
         }
         if self.lines.len() > 1 {
-            for (poly, &scale) in self.delayed_polys.iter().zip(&self.input_scales) {
-                good &= resolved(poly, scale)?;
+            for (c, (poly, &scale)) in self.delayed_polys.iter().zip(&self.input_scales).enumerate() {
+                let row = &self.system.inputs[c];
+                let noise = row.states.iter().map(|&(i, w)| w.abs() * self.state_scales[i]).sum();
+                good &= resolved(poly, scale, noise)?;
             }
         }
         Some(good)
