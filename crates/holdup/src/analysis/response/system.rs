@@ -153,6 +153,20 @@ impl System {
         self.rates[state].state(state)
     }
 
+    /// Rate of the fastest pole that the states have among themselves [1/s].
+    pub(super) fn fastest(&self) -> f64 {
+        let mut fastest = 0.0f64;
+        for &(from, to) in &self.blocks {
+            for i in from..to {
+                fastest = fastest.max(self.own_rate(i).abs());
+                for j in i + 1..to {
+                    fastest = fastest.max((self.rates[i].state(j) * self.rates[j].state(i)).abs().sqrt());
+                }
+            }
+        }
+        fastest
+    }
+
     /// The matrix of a block of coupled states, row by row, times `factor`.
     pub(super) fn block_matrix(&self, (from, to): (usize, usize), factor: f64) -> Vec<f64> {
         (from..to).flat_map(|i| (from..to).map(move |j| factor * self.rates[i].state(j))).collect()
