@@ -13,7 +13,7 @@ use super::scenario::Scenario;
 use super::system::{Rest, Row, System};
 
 /// Cells, those that were too long included, after which a simulation gives up (a few seconds of computing).
-const CELL_BUDGET: u64 = 2_000_000;
+const CELL_BUDGET: u64 = 1_000_000;
 /// A cell is accepted when its last coefficients are below this part of the signal's largest value so far.
 const TOLERANCE: f64 = 2e-14;
 /// And always when they are below this part of the sum of magnitudes it was made from: that is rounding.
