@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-use super::legendre::{Poly, TERMS, project, restricted};
+use super::legendre::{Poly, TERMS, project, restricted, without_noise};
 
 /// One cell of a delayed signal.
 #[derive(Debug, Clone)]
@@ -34,6 +34,11 @@ impl DelayLine {
     /// Time until the first piece has come out [s].
     pub(super) fn to_edge(&self) -> f64 {
         self.pieces.front().map_or(f64::INFINITY, |p| p.length - self.consumed)
+    }
+
+    /// Whether the piece that comes out now is at least this long [s].
+    pub(super) fn is_within(&self, length: f64) -> bool {
+        self.pieces.front().is_none_or(|p| p.length >= length)
     }
 
     /// Time until `count` pieces have come out, or until the next breakpoint comes out if that is earlier [s].
@@ -82,6 +87,7 @@ impl DelayLine {
             }
             ahead += piece.length;
         }
+        without_noise(&mut sum);
         (sum, false)
     }
 

@@ -251,7 +251,20 @@ pub(super) fn restricted(p: &[f64], from: f64, to: f64) -> Poly {
     }
     // A part has the degree of the whole: what the sums leave above it is rounding.
     part[p.len()..].fill(0.0);
+    without_noise(&mut part);
     part
+}
+
+/// Drops the last coefficients of a projection that are rounding of the sums they came from: coefficient k carries the
+/// rounding of values times 2k+1.
+pub(super) fn without_noise(p: &mut Poly) {
+    let noise = 2.0 * f64::EPSILON * p.iter().fold(0.0f64, |m, c| m.max(c.abs()));
+    for k in (0..TERMS).rev() {
+        if p[k].abs() > noise * ODD[k] {
+            break;
+        }
+        p[k] = 0.0;
+    }
 }
 
 /// Adds to `sum` the exact projection of a piece: `p` between `from` and `to` of its own cell fills the new cell

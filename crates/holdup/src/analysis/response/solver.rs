@@ -12,10 +12,12 @@ use super::legendre::{Poly, TERMS, add, ends, integrated, magnitude, significant
 use super::scenario::Scenario;
 use super::system::{Rest, Row, System};
 
-/// Cells after which a simulation gives up (a few seconds of computing).
-pub(super) const CELL_BUDGET: u64 = 4_000_000;
+/// Cells, those that were too long included, after which a simulation gives up (a few seconds of computing).
+const CELL_BUDGET: u64 = 1_000_000;
 /// A cell is accepted when its last coefficients are below this part of the signal's largest value so far.
 const TOLERANCE: f64 = 2e-14;
+/// And always when they are below this part of the sum of magnitudes it was made from: that is rounding.
+const ROUNDING: f64 = 1e-15;
 /// Last coefficients below this part of the signal's largest value so far, and below a millionth of the signal here, are
 /// not carried on.
 const FLOOR: f64 = 1e-18;
@@ -117,6 +119,8 @@ pub(super) struct Solver<'a> {
     /// Rate of the fastest pole [1/s].
     fastest: f64,
     quiet: f64,
+    /// Cells computed so far.
+    tried: u64,
     longest_delay: f64,
     impulsive: bool,
     cache: Vec<(u64, Vec<Factors>)>,
@@ -134,7 +138,7 @@ const LAYER: [f64; 3] = [8.0, 12.0, 30.0];
 impl<'a> Solver<'a> {
     pub(super) fn new(system: &'a System) -> Self {
         let (n, channels) = (system.rates.len(), system.inputs.len());
-        let fastest = (0..n).map(|i| system.own_rate(i).abs()).fold(0.0, f64::max);
+        let fastest = system.fastest();
         Self {
             system,
             states: vec![0.0; n],
@@ -150,6 +154,7 @@ impl<'a> Solver<'a> {
             since_event: LAYER.len(),
             fastest,
             quiet: f64::INFINITY,
+            tried: 0,
             longest_delay: system.delays.iter().copied().fold(0.0, f64::max),
             impulsive: false,
             cache: vec![(0, Vec::new()); CACHE],
@@ -169,7 +174,6 @@ impl<'a> Solver<'a> {
         let events = merged_events(scenario);
         let mut next_event = 0;
         let horizon = scenario.horizon();
-        let mut cells = 0;
         loop {
             let tiny = self.tiny();
             let mut breakpoint = None;
@@ -207,9 +211,9 @@ impl<'a> Solver<'a> {
             };
             self.show(length, watch);
             self.commit(length, tiny, breakpoint);
-            cells += 1;
-            if cells > CELL_BUDGET {
-                return Err(ResponseError::HorizonTooLong { horizon, reached: self.now.seconds(), cells });
+            if self.tried > CELL_BUDGET {
+                let reached = self.now.seconds();
+                return Err(ResponseError::HorizonTooLong { horizon, reached, cells: CELL_BUDGET });
             }
         }
     }
@@ -323,7 +327,9 @@ impl<'a> Solver<'a> {
             if good.is_none() && !self.finite() && length <= shortest * 2.0 {
                 return None;
             }
-            if good == Some(true) || length <= shortest * 2.0 {
+            // A small part of one resolved cell, short against every pole, is resolved: what is left is rounding.
+            let smooth = length * self.fastest <= 1.0 && self.lines.iter().all(|l| l.is_within(8.0 * length));
+            if good == Some(true) || good.is_some() && smooth || length <= shortest * 2.0 {
                 self.cap = if halved { 2.0 * length } else { 3.0 * self.cap };
                 return if self.finite() { Some(length) } else { None };
             }
@@ -340,6 +346,7 @@ impl<'a> Solver<'a> {
         for (poly, line) in self.delayed_polys.iter_mut().zip(&self.lines) {
             *poly = line.ahead(length, tiny).0;
         }
+        self.tried += 1;
         let system = self.system;
         let slot = self.factors(length);
         let half = 0.5 * length;
@@ -372,7 +379,7 @@ impl<'a> Solver<'a> {
         for (c, row) in system.inputs.iter().enumerate() {
             let mut input = combined(row, &self.state_polys, &self.delayed_polys);
             if !system.has_rest {
-                input[0] += row.of(&[], &[], self.setpoint, self.load);
+                input[0] += row.constant(self.setpoint, self.load);
             }
             self.input_polys[c] = input;
         }
@@ -380,20 +387,24 @@ impl<'a> Solver<'a> {
 
     /// Whether the cell resolves its signals; `None` if they are not finite.
     fn acceptable(&self) -> Option<bool> {
-        let resolved = |poly: &Poly, scale: f64| {
+        let resolved = |poly: &Poly, scale: f64, noise: f64| {
             let size = magnitude(poly);
-            size.is_finite().then(|| tail(poly) <= TOLERANCE * scale.max(size))
+            size.is_finite().then(|| tail(poly) <= TOLERANCE * scale.max(size) + ROUNDING * noise)
         };
         let mut good = true;
-        for (poly, &scale) in self.input_polys.iter().zip(&self.input_scales) {
-            good &= resolved(poly, scale)?;
+        for ((poly, &scale), row) in self.input_polys.iter().zip(&self.input_scales).zip(&self.system.inputs)
+        {
+            let noise = row.states.iter().map(|&(i, w)| w.abs() * self.state_scales[i]).sum();
+            good &= resolved(poly, scale, noise)?;
         }
         for (poly, &scale) in self.state_polys.iter().zip(&self.state_scales) {
-            good &= resolved(poly, scale)?;
+            good &= resolved(poly, scale, 0.0)?;
         }
         if self.lines.len() > 1 {
-            for (poly, &scale) in self.delayed_polys.iter().zip(&self.input_scales) {
-                good &= resolved(poly, scale)?;
+            for (c, (poly, &scale)) in self.delayed_polys.iter().zip(&self.input_scales).enumerate() {
+                let row = &self.system.inputs[c];
+                let noise = row.states.iter().map(|&(i, w)| w.abs() * self.state_scales[i]).sum();
+                good &= resolved(poly, scale, noise)?;
             }
         }
         Some(good)
@@ -421,7 +432,7 @@ impl<'a> Solver<'a> {
         manipulated[0] += if system.has_rest {
             self.rest.manipulated
         } else {
-            system.manipulated.of(&[], &[], self.setpoint, self.load)
+            system.manipulated.constant(self.setpoint, self.load)
         };
         let estimate = system.load_estimate.as_ref().map(|row| {
             let mut estimate = combined(row, &self.state_polys, &self.delayed_polys);
@@ -505,7 +516,7 @@ fn forcing(
         add(&mut g, half * weight, &states[j]);
     }
     if !system.has_rest {
-        g[0] += half * row.of(&[], &[], solver.setpoint, solver.load);
+        g[0] += half * row.constant(solver.setpoint, solver.load);
     }
     g
 }

@@ -38,12 +38,16 @@ impl Row {
         self.delayed.iter().find(|(c, _)| *c == index).map_or(0.0, |(_, w)| *w)
     }
 
+    /// The part of the sum that comes from setpoint and load.
+    pub(super) fn constant(&self, setpoint: f64, load: f64) -> f64 {
+        self.setpoint * setpoint + self.load * load
+    }
+
     /// The sum for given values of its sources.
     pub(super) fn of(&self, states: &[f64], delayed: &[f64], setpoint: f64, load: f64) -> f64 {
         self.states.iter().map(|&(i, w)| w * states[i]).sum::<f64>()
             + self.delayed.iter().map(|&(c, w)| w * delayed[c]).sum::<f64>()
-            + self.setpoint * setpoint
-            + self.load * load
+            + self.constant(setpoint, load)
     }
 }
 
@@ -147,6 +151,20 @@ impl System {
     /// How a state drives itself.
     pub(super) fn own_rate(&self, state: usize) -> f64 {
         self.rates[state].state(state)
+    }
+
+    /// Rate of the fastest pole that the states have among themselves [1/s].
+    pub(super) fn fastest(&self) -> f64 {
+        let mut fastest = 0.0f64;
+        for &(from, to) in &self.blocks {
+            for i in from..to {
+                fastest = fastest.max(self.own_rate(i).abs());
+                for j in i + 1..to {
+                    fastest = fastest.max((self.rates[i].state(j) * self.rates[j].state(i)).abs().sqrt());
+                }
+            }
+        }
+        fastest
     }
 
     /// The matrix of a block of coupled states, row by row, times `factor`.
