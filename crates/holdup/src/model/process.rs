@@ -16,6 +16,7 @@ use super::quantity::Seconds;
 /// # Ok::<(), holdup::model::ModelError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[expect(clippy::struct_field_names, reason = "process_gain is the word for it, here as everywhere")]
 pub struct Process {
     process_gain: f64,
     dead_time: f64,

@@ -150,7 +150,7 @@ mod tests {
         assert_eq!(read_rate("K", "3/min").unwrap(), 0.05);
         assert_eq!(read_rate("K", "-36/h").unwrap(), -0.01);
         assert_eq!(read_angle("a", "60deg").unwrap(), PI / 3.0);
-        assert_eq!(read_any("a", "3.14rad").unwrap(), 3.14);
+        assert_eq!(read_any("a", "3.25rad").unwrap(), 3.25);
         assert_eq!(read_any("a", "1e3").unwrap(), 1000.0);
     }
 

@@ -97,7 +97,7 @@ fn newton(start: Complex64, time: f64, function: impl Fn(Complex64) -> Complex64
 /// The numerator of 1 + L: no pole of process or controller is left in it.
 fn characteristic(process: &Process, controller: &Controller, s: Complex64) -> Complex64 {
     let lag = 1.0 + s * process.lag().unwrap_or(0.0);
-    let filter = 1.0 + s * controller.derivative_filter().map_or(0.0, |filter| filter.time());
+    let filter = 1.0 + s * controller.derivative_filter().map_or(0.0, crate::model::DerivativeFilter::time);
     let output = controller.output_filter().unwrap_or(OutputFilter { a1: 0.0, a2: 0.0 });
     let output = 1.0 + s * (output.a1 + s * output.a2);
     let derivative = s * controller.derivative_time().unwrap_or(0.0);
