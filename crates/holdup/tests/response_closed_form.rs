@@ -1,5 +1,7 @@
 //! Step responses that have a closed form: a polynomial of one more degree for each dead time that has passed.
 
+#![expect(clippy::unwrap_used, reason = "helpers of tests")]
+
 use holdup::analysis::response::{Scenario, simulate, trajectory};
 use holdup::model::{ClosedLoop, Controller, Process, Seconds};
 use num_bigint::BigInt;

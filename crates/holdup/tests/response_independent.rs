@@ -1,6 +1,8 @@
 //! The response against integrators that share no code with it: a fixed-step one with its measured order, and the crate
 //! `differential-equations`.
 
+#![expect(clippy::unwrap_used, reason = "helpers of tests")]
+
 use differential_equations::prelude::*;
 use holdup::analysis::response::{Scenario, simulate, trajectory};
 use holdup::model::closed_loop::{Source, Sum};

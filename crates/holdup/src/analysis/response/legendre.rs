@@ -1,7 +1,7 @@
 //! Polynomials on one cell in the Legendre basis, `p(s) = Σ c_k·P_k(s)` with s from −1 to 1.
 //!
 //! Why this basis: `∫p` and `∫p²` are sums over coefficients, `|p − c_0|` is bounded by the sum of the others (every
-//! |P_k| ≤ 1), integration is an index shift, and a lag of any stiffness is a tridiagonal system that is
+//! Legendre polynomial is at most 1), integration is an index shift, and a lag of any stiffness is a tridiagonal system that is
 //! well conditioned (see `lag.rs`).
 
 use std::sync::LazyLock;
@@ -200,7 +200,7 @@ static GAUSS: LazyLock<Gauss> = LazyLock::new(|| {
     Gauss { nodes, weights, transform }
 });
 
-/// P_n and its derivative at `s` for n = [`TERMS`].
+/// The Legendre polynomial of degree [`TERMS`] and its derivative at `s`.
 fn highest(s: f64) -> (f64, f64) {
     let (mut before, mut now, mut k) = (1.0, s, 1.0);
     for _ in 1..TERMS {
@@ -210,7 +210,7 @@ fn highest(s: f64) -> (f64, f64) {
     (now, k * (s * now - before) / (s * s - 1.0))
 }
 
-/// P_k at 24 points, k = 0….
+/// All Legendre polynomials at 24 points.
 fn basis(points: &Poly) -> [Poly; TERMS] {
     let mut table = [[1.0; TERMS]; TERMS];
     table[1] = *points;

@@ -53,7 +53,7 @@ pub struct Response {
 ///     .with_filter_bandwidth(100.0)?;
 /// let step = Scenario::unit_setpoint_step(Seconds(200.0))?;
 /// let response = simulate(&ClosedLoop::new(&process, &pid), &step)?;
-/// assert_eq!(format!("{:.3}", response.metrics.ise.unwrap()), "8.775");
+/// assert_eq!(format!("{:.3}", response.metrics.ise.unwrap()), "8.772");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///

@@ -52,7 +52,7 @@ pub(super) fn sign_changes(p: &Poly, floor: f64) -> Roots {
     recurse(&trimmed, terms, &bernstein, 4.0 * f64::EPSILON * noise)
 }
 
-/// Coefficients of P_k in the Bernstein basis of degree 23, and the largest of them.
+/// Coefficients of each Legendre polynomial in the Bernstein basis of degree 23, and the largest of them.
 static BERNSTEIN: LazyLock<[(Poly, f64); TERMS]> = LazyLock::new(|| {
     let mut binomial = [[0.0; TERMS]; TERMS];
     for n in 0..TERMS {

@@ -85,6 +85,7 @@ pub(super) struct Outcome {
 
 /// Factors of one block for one cell length.
 #[derive(Debug, Clone)]
+#[expect(clippy::large_enum_variant, reason = "a box would cost an indirection in the hot loop")]
 enum Factors {
     Integral,
     Lag(Lag),

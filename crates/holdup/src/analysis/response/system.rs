@@ -207,7 +207,9 @@ fn equilibrium(rates: &[Row], inputs: &[Row], setpoint: f64, load: f64) -> Optio
         // Rows of one scale, so that the choice of the largest pivot means something.
         let scale = line[..size].iter().fold(0.0f64, |m, v| m.max(v.abs()));
         if scale > 0.0 {
-            line.iter_mut().for_each(|v| *v /= scale);
+            for v in &mut line {
+                *v /= scale;
+            }
         }
         matrix.push(line);
     }
