@@ -45,7 +45,7 @@ fn exact(t: f64, kappa: f64, td: f64, c: bool) -> f64 {
         let m = if c { k } else { k - 1 };
         let mut choose = power.clone();
         for j in 0..=m {
-            sum += &choose * &powers[(k - j) as usize];
+            sum += &choose * &powers[usize::try_from(k - j).unwrap()];
             choose = choose * &td * BigRational::new(BigInt::from(m - j), BigInt::from(j + 1));
         }
         k += 1;

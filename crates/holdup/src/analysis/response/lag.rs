@@ -6,6 +6,8 @@
 //! value at the start. Where M is so large that this start would leave its rounding in all coefficients, the polynomial that
 //! solves the equation without any layer is computed instead, and the layer added to it. The factors depend only on the length of the cell and are kept for the next cell of that length.
 
+#![expect(clippy::needless_range_loop, reason = "recurrences over fixed arrays read as their formulas")]
+
 use super::legendre::{ODD, Poly, TERMS, add, ends, integrated, magnitude};
 
 #[expect(clippy::cast_precision_loss, reason = "k is at most 24")]
@@ -14,7 +16,7 @@ fn couplings(k: usize) -> (f64, f64) {
 }
 
 /// From this |M| on, a polynomial solution follows from its highest coefficient downwards without growth of rounding.
-const STIFF: f64 = 500.0;
+const STIFF: f64 = 64.0;
 
 /// One first-order lag, M a number.
 #[derive(Debug, Clone)]
@@ -65,18 +67,20 @@ impl Lag {
         }
         let mut x = integrated(g);
         let mut above = 0.0;
-        for ((x, inverse), coupling) in x.iter_mut().zip(&self.inverse).zip(&self.above).skip(1).rev() {
-            above = *x * inverse - coupling * above;
-            *x = above;
+        for k in 1..TERMS {
+            x[k] *= self.inverse[k];
         }
-        let (mut below, mut even, mut odd) = (0.0, 0.0, 0.0);
-        for (k, (x, coupling)) in x.iter_mut().zip(&self.below).enumerate().skip(1) {
-            below = *x + coupling * below;
-            *x = below;
-            if k % 2 == 0 { even += below } else { odd += below }
+        for k in (1..TERMS).rev() {
+            above = x[k] - self.above[k] * above;
+            x[k] = above;
         }
-        let mean = (start - (even - odd)) * self.reach;
+        let mut below = 0.0;
         x[0] = 0.0;
+        for k in 1..TERMS {
+            below = x[k] + self.below[k] * below;
+            x[k] = below;
+        }
+        let mean = (start - ends(&x).0) * self.reach;
         add(&mut x, mean, &self.homogeneous);
         x
     }
