@@ -60,7 +60,7 @@ fn two_delays_200_dead_times(bencher: Bencher) {
 #[divan::bench(sample_count = 10)]
 fn slowly_damped_10_000_dead_times(bencher: Bencher) {
     let process = Process::integrating(1.0, Seconds(1.0)).expect("valid");
-    let closed = ClosedLoop::new(&process, &Controller::proportional(1.5707).expect("valid"));
+    let closed = ClosedLoop::new(&process, &Controller::proportional(1.57).expect("valid"));
     let scenario = Scenario::unit_setpoint_step(Seconds(10_000.0)).expect("valid");
     bencher.bench(|| simulate(black_box(&closed), black_box(&scenario)));
 }

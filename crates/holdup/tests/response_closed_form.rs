@@ -1,5 +1,7 @@
 //! Step responses that have a closed form: a polynomial of one more degree for each dead time that has passed.
 
+#![expect(clippy::unwrap_used, reason = "helpers of tests")]
+
 use holdup::analysis::response::{Scenario, simulate, trajectory};
 use holdup::model::{ClosedLoop, Controller, Process, Seconds};
 use num_bigint::BigInt;
@@ -43,7 +45,7 @@ fn exact(t: f64, kappa: f64, td: f64, c: bool) -> f64 {
         let m = if c { k } else { k - 1 };
         let mut choose = power.clone();
         for j in 0..=m {
-            sum += &choose * &powers[(k - j) as usize];
+            sum += &choose * &powers[usize::try_from(k - j).unwrap()];
             choose = choose * &td * BigRational::new(BigInt::from(m - j), BigInt::from(j + 1));
         }
         k += 1;

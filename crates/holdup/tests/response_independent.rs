@@ -1,6 +1,8 @@
 //! The response against integrators that share no code with it: a fixed-step one with its measured order, and the crate
 //! `differential-equations`.
 
+#![expect(clippy::unwrap_used, reason = "helpers of tests")]
+
 use differential_equations::prelude::*;
 use holdup::analysis::response::{Scenario, simulate, trajectory};
 use holdup::model::closed_loop::{Source, Sum};
@@ -12,6 +14,12 @@ fn level() -> Process {
 
 /// Setpoint step at 0 and load step at 42 s over 84 s, by Heun's method on a grid that contains both delays, with values
 /// from the left and from the right at every point. Returns y at 20.4, 45 and 83.4 s, u at the same times and ∫u².
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    clippy::cast_precision_loss,
+    reason = "numbers of steps are below 10 000"
+)]
 fn heun(closed: &ClosedLoop, h: f64) -> Vec<f64> {
     let n = closed.rates().len();
     let steps = (84.0 / h).round() as usize;
@@ -51,10 +59,10 @@ fn heun(closed: &ClosedLoop, h: f64) -> Vec<f64> {
         let (u_left, u_right) =
             (sum(u, &x, &w_left, load(false), on(false)), sum(u, &x, &w_right, load(true), on(true)));
         if k > 0 {
-            energy += 0.5 * h * u_left * u_left
+            energy += 0.5 * h * u_left * u_left;
         }
         if k < steps {
-            energy += 0.5 * h * u_right * u_right
+            energy += 0.5 * h * u_right * u_right;
         }
         if [20.4, 45.0, 83.4].iter().any(|s| (t - s).abs() < 1e-9) {
             out_y.push(x[closed.controlled_variable()]);
@@ -76,7 +84,7 @@ fn heun(closed: &ClosedLoop, h: f64) -> Vec<f64> {
         let predicted: Vec<f64> = x.iter().zip(&first).map(|(x, f)| x + h * f).collect();
         let second = rate(&predicted, &next, load_next);
         for i in 0..n {
-            x[i] += 0.5 * h * (first[i] + second[i])
+            x[i] += 0.5 * h * (first[i] + second[i]);
         }
     }
     [out_y, out_u, vec![energy]].concat()

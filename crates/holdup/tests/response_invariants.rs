@@ -1,5 +1,7 @@
 //! What must hold for every loop: superposition, scaling, identities, bounds, and an answer to everything.
 
+#![expect(clippy::unwrap_used, reason = "helpers of tests")]
+
 use holdup::analysis::bounds::Bounds;
 use holdup::analysis::metrics::METRICS;
 use holdup::analysis::response::{

@@ -1,5 +1,7 @@
 //! Every number of the paper that its findings say reproduces, and the exact ones that they give beside it.
 
+#![expect(clippy::unwrap_used, reason = "helpers of tests")]
+
 use holdup::analysis::response::{Response, Scenario, simulate};
 use holdup::model::{ClosedLoop, Controller, Observer, Process, Seconds};
 

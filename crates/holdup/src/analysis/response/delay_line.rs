@@ -36,6 +36,11 @@ impl DelayLine {
         self.pieces.front().map_or(f64::INFINITY, |p| p.length - self.consumed)
     }
 
+    /// Whether a piece starts to come out now.
+    pub(super) fn at_edge(&self) -> bool {
+        self.consumed == 0.0
+    }
+
     /// Whether the piece that comes out now is at least this long [s].
     pub(super) fn is_within(&self, length: f64) -> bool {
         self.pieces.front().is_none_or(|p| p.length >= length)

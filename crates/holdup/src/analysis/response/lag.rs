@@ -6,7 +6,9 @@
 //! value at the start. Where M is so large that this start would leave its rounding in all coefficients, the polynomial that
 //! solves the equation without any layer is computed instead, and the layer added to it. The factors depend only on the length of the cell and are kept for the next cell of that length.
 
-use super::legendre::{ODD, Poly, TERMS, ends, integrated, magnitude};
+#![expect(clippy::needless_range_loop, reason = "recurrences over fixed arrays read as their formulas")]
+
+use super::legendre::{ODD, Poly, TERMS, add, ends, integrated, magnitude};
 
 #[expect(clippy::cast_precision_loss, reason = "k is at most 24")]
 fn couplings(k: usize) -> (f64, f64) {
@@ -14,7 +16,7 @@ fn couplings(k: usize) -> (f64, f64) {
 }
 
 /// From this |M| on, a polynomial solution follows from its highest coefficient downwards without growth of rounding.
-const STIFF: f64 = 500.0;
+const STIFF: f64 = 64.0;
 
 /// One first-order lag, M a number.
 #[derive(Debug, Clone)]
@@ -65,21 +67,21 @@ impl Lag {
         }
         let mut x = integrated(g);
         let mut above = 0.0;
+        for k in 1..TERMS {
+            x[k] *= self.inverse[k];
+        }
         for k in (1..TERMS).rev() {
-            above = x[k] * self.inverse[k] - self.above[k] * above;
+            above = x[k] - self.above[k] * above;
             x[k] = above;
         }
-        let (mut below, mut even, mut odd) = (0.0, 0.0, 0.0);
+        let mut below = 0.0;
+        x[0] = 0.0;
         for k in 1..TERMS {
             below = x[k] + self.below[k] * below;
             x[k] = below;
-            if k % 2 == 0 { even += below } else { odd += below }
         }
-        let mean = (start - (even - odd)) * self.reach;
-        x[0] = mean;
-        for k in 1..TERMS {
-            x[k] += self.homogeneous[k] * mean;
-        }
+        let mean = (start - ends(&x).0) * self.reach;
+        add(&mut x, mean, &self.homogeneous);
         x
     }
 }
@@ -96,9 +98,7 @@ impl Lag {
         }
         let layer = start - ends(&x).0;
         if layer.abs() > 8.0 * f64::EPSILON * (start.abs() + magnitude(&x)) {
-            for (c, h) in x.iter_mut().zip(&self.homogeneous) {
-                *c += layer * self.reach * h;
-            }
+            add(&mut x, layer * self.reach, &self.homogeneous);
         }
         x
     }
@@ -124,11 +124,11 @@ impl CoupledLags {
         for k in (1..TERMS).rev() {
             let (down, up) = couplings(k);
             let mut pivot = product(&matrix, &ratio_above, size);
-            pivot.iter_mut().for_each(|p| *p *= up);
+            scale(&mut pivot, up);
             (0..size).for_each(|i| pivot[i * size + i] += 1.0);
             inverses[k] = inverted(pivot, size)?;
             ratio_above = product(&inverses[k], &matrix, size);
-            ratio_above.iter_mut().for_each(|r| *r *= down);
+            scale(&mut ratio_above, down);
             ratios[k].clone_from(&ratio_above);
         }
         let mut identity = vec![0.0; size * size];
@@ -187,6 +187,12 @@ fn product(a: &[f64], b: &[f64], n: usize) -> Vec<f64> {
         }
     }
     c
+}
+
+fn scale(a: &mut [f64], factor: f64) {
+    for v in a {
+        *v *= factor;
+    }
 }
 
 fn multiply(a: &[f64], x: &[f64], n: usize) -> Vec<f64> {

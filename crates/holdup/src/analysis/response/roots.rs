@@ -7,7 +7,7 @@
 
 use std::sync::LazyLock;
 
-use super::legendre::{Poly, TERMS, derivative, ends, magnitude, significant, swing, value};
+use super::legendre::{Poly, TERMS, add, derivative, ends, magnitude, significant, swing, value};
 
 /// Sign changes in increasing order, within −1…1.
 #[derive(Debug, Clone, Copy)]
@@ -44,15 +44,13 @@ pub(super) fn sign_changes(p: &Poly, floor: f64) -> Roots {
     let mut bernstein = [0.0; TERMS];
     let mut noise = 0.0;
     for (c, (row, largest)) in trimmed[..terms].iter().zip(BERNSTEIN.iter()) {
-        for (b, r) in bernstein.iter_mut().zip(row) {
-            *b += c * r;
-        }
+        add(&mut bernstein, *c, row);
         noise += c.abs() * largest;
     }
     recurse(&trimmed, terms, &bernstein, 4.0 * f64::EPSILON * noise)
 }
 
-/// Coefficients of P_k in the Bernstein basis of degree 23, and the largest of them.
+/// Coefficients of each Legendre polynomial in the Bernstein basis of degree 23, and the largest of them.
 static BERNSTEIN: LazyLock<[(Poly, f64); TERMS]> = LazyLock::new(|| {
     let mut binomial = [[0.0; TERMS]; TERMS];
     for n in 0..TERMS {
@@ -156,7 +154,6 @@ fn bracketed(p: &[f64], slope: &[f64], left: (f64, f64), right: (f64, f64)) -> f
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::analysis::response::legendre::add;
 
     /// Product of `(s − root)` over the roots, in the Legendre basis.
     fn with_roots(roots: &[f64]) -> Poly {

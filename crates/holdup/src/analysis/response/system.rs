@@ -207,8 +207,8 @@ fn equilibrium(rates: &[Row], inputs: &[Row], setpoint: f64, load: f64) -> Optio
         // Rows of one scale, so that the choice of the largest pivot means something.
         let scale = line[..size].iter().fold(0.0f64, |m, v| m.max(v.abs()));
         if scale > 0.0 {
-            for value in &mut line {
-                *value /= scale;
+            for v in &mut line {
+                *v /= scale;
             }
         }
         matrix.push(line);

@@ -2,7 +2,7 @@
 
 use crate::model::ClosedLoop;
 
-use super::legendre::value;
+use super::legendre::{BATCH, Poly, batch, ends, powers, value};
 use super::measure::Measure;
 use super::scenario::Scenario;
 use super::solver::{Cell, Outcome, ResponseError, Solver, Watch};
@@ -95,6 +95,22 @@ pub fn plot_times(closed_loop: &ClosedLoop, scenario: &Scenario, points: usize) 
     times
 }
 
+/// Value at each time of what starts at `rest` and is held from event to event.
+fn held(times: &[f64], sorted: bool, rest: f64, events: &[(f64, f64)]) -> Vec<f64> {
+    let mut values = vec![rest; times.len()];
+    for &(at, value) in events {
+        if sorted {
+            let from = times.partition_point(|&t| t < at);
+            values[from..].fill(value);
+        } else {
+            for (held, _) in values.iter_mut().zip(times).filter(|(_, t)| **t >= at) {
+                *held = value;
+            }
+        }
+    }
+    values
+}
+
 struct Both<'a>(Measure, Sampler<'a>);
 
 impl Watch for Both<'_> {
@@ -128,10 +144,10 @@ impl<'a> Sampler<'a> {
         let empty = || vec![0.0; times.len()];
         let result = Trajectory {
             time: times.to_vec(),
-            setpoint: times.iter().map(|&t| scenario.setpoint_at(t)).collect(),
+            setpoint: held(times, order.is_none(), scenario.initial(), scenario.setpoint()),
             controlled_variable: empty(),
             manipulated_variable: empty(),
-            load: times.iter().map(|&t| scenario.load_at(t)).collect(),
+            load: held(times, order.is_none(), 0.0, scenario.load()),
             load_estimate: system.load_estimate.as_ref().map(|_| empty()),
         };
         Ok(Self { scenario, order, next: 0, result, last: None })
@@ -174,25 +190,74 @@ impl<'a> Sampler<'a> {
 
 impl Watch for Sampler<'_> {
     fn cell(&mut self, cell: &Cell<'_>) {
-        let level = self.scenario.initial() + cell.setpoint;
-        let at = |s: f64| {
-            [
-                level - value(cell.error, s),
-                value(cell.manipulated, s),
-                cell.load_estimate.map_or(0.0, |p| value(p, s)),
-            ]
-        };
         let end = cell.start + cell.length;
-        while self.next < self.result.time.len() {
-            let index = self.index(self.next);
-            let time = self.result.time[index];
-            if time >= end {
-                break;
+        let level = self.scenario.initial() + cell.setpoint;
+        let at_end = |p: &Poly| ends(p).1;
+        self.last = Some([
+            level - at_end(cell.error),
+            at_end(cell.manipulated),
+            cell.load_estimate.map_or(0.0, at_end),
+        ]);
+        let from = self.next;
+        let to = match &self.order {
+            None => from + self.result.time[from..].partition_point(|&t| t < end),
+            Some(order) => from + order[from..].partition_point(|&i| self.result.time[i] < end),
+        };
+        self.next = to;
+        match to - from {
+            0 => {}
+            1..=3 => {
+                for position in from..to {
+                    let index = self.index(position);
+                    let s = place(cell, self.result.time[index]);
+                    let estimate = cell.load_estimate.map_or(0.0, |p| value(p, s));
+                    self.set(index, [level - value(cell.error, s), value(cell.manipulated, s), estimate]);
+                }
             }
-            let s = (2.0 * (time - cell.start) / cell.length - 1.0).clamp(-1.0, 1.0);
-            self.set(index, at(s));
-            self.next += 1;
+            _ => self.fill(cell, level, from, to),
         }
-        self.last = Some(at(1.0));
+    }
+}
+
+/// Where a time lies in a cell, from −1 to 1.
+fn place(cell: &Cell<'_>, time: f64) -> f64 {
+    ((time - cell.start) * (2.0 / cell.length) - 1.0).clamp(-1.0, 1.0)
+}
+
+impl Sampler<'_> {
+    /// Many times in one cell: batches in the power basis.
+    fn fill(&mut self, cell: &Cell<'_>, level: f64, from: usize, to: usize) {
+        let mut error = powers(cell.error);
+        for c in &mut error.0 {
+            *c = -*c;
+        }
+        error.0[0] += level;
+        error.1 = error.1.max(1);
+        let manipulated = powers(cell.manipulated);
+        let estimate = cell.load_estimate.map(powers);
+        let mut position = from;
+        while position < to {
+            let count = BATCH.min(to - position);
+            let mut points = [0.0; BATCH];
+            for (offset, point) in points[..count].iter_mut().enumerate() {
+                *point = place(cell, self.result.time[self.index(position + offset)]);
+            }
+            let y = batch(&error.0[..error.1], &points);
+            let u = batch(&manipulated.0[..manipulated.1], &points);
+            let estimates = estimate.as_ref().map(|(c, terms)| batch(&c[..*terms], &points));
+            if self.order.is_none() {
+                self.result.controlled_variable[position..position + count].copy_from_slice(&y[..count]);
+                self.result.manipulated_variable[position..position + count].copy_from_slice(&u[..count]);
+                if let (Some(to), Some(from)) = (&mut self.result.load_estimate, estimates) {
+                    to[position..position + count].copy_from_slice(&from[..count]);
+                }
+            } else {
+                for offset in 0..count {
+                    let estimate = estimates.map_or(0.0, |e| e[offset]);
+                    self.set(self.index(position + offset), [y[offset], u[offset], estimate]);
+                }
+            }
+            position += count;
+        }
     }
 }
