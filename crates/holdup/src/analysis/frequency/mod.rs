@@ -12,6 +12,7 @@ mod margins;
 mod poles;
 mod polynomial;
 mod quasi_polynomial;
+pub mod region;
 mod scan;
 mod series;
 mod taylor;
