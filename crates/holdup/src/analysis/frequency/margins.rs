@@ -8,6 +8,7 @@ use super::characteristic::Characteristic;
 use super::envelope::{Envelope, Steady};
 use super::error::FrequencyError;
 use super::functions::Functions;
+use super::lifted::Lifted;
 use super::scan::{Findings, LISTED, Scan};
 use super::winding::{self, Uncounted};
 use crate::model::{ClosedLoop, Radians, Seconds};
@@ -84,7 +85,8 @@ pub fn margins(closed_loop: &ClosedLoop) -> Result<Margins, FrequencyError> {
     let stable = unstable_poles == Ok(0);
     let limit = characteristic.high_frequency_gain;
     let steady = Steady::new(&characteristic);
-    let found = Scan::new(&functions, &envelope, &steady, limit, stable).run();
+    let lifted = Lifted::new(&characteristic);
+    let found = Scan::new(&functions, &envelope, &steady, lifted.as_ref(), limit, stable).run();
     Ok(assemble(&characteristic, &functions, &found, unstable_poles))
 }
 

@@ -8,6 +8,7 @@ use std::f64::consts::TAU;
 
 use super::envelope::{Envelope, Steady};
 use super::functions::{Bounds, Functions, Peak, Point, imaginary, real};
+use super::lifted::{Lifted, Question};
 use super::taylor::{Zeros, root, zeros};
 
 /// Longest list of phase crossovers.
@@ -56,15 +57,19 @@ pub(super) struct Findings {
     pub(super) complementary: Highest,
     /// The search was given up from this frequency on.
     pub(super) unfinished_from: Option<f64>,
+    /// Bands and boxes examined.
+    pub(super) work: usize,
 }
 
 pub(super) struct Scan<'a> {
     functions: &'a Functions,
     envelope: &'a Envelope,
     steady: &'a Steady<'a>,
+    lifted: Option<&'a Lifted>,
     stable: bool,
+    /// L does not vanish at infinite frequency.
+    neutral: bool,
     found: Findings,
-    work: usize,
 }
 
 impl<'a> Scan<'a> {
@@ -72,6 +77,7 @@ impl<'a> Scan<'a> {
         functions: &'a Functions,
         envelope: &'a Envelope,
         steady: &'a Steady<'a>,
+        lifted: Option<&'a Lifted>,
         limit: f64,
         stable: bool,
     ) -> Self {
@@ -85,8 +91,9 @@ impl<'a> Scan<'a> {
             sensitivity: Highest { value: at_infinity(1.0).max(1.0), omega: None },
             complementary: Highest { value: at_infinity(limit), omega: None },
             unfinished_from: None,
+            work: 0,
         };
-        let mut scan = Self { functions, envelope, steady, stable, found, work: 0 };
+        let mut scan = Self { functions, envelope, steady, lifted, stable, neutral: limit > 0.0, found };
         let origin = functions.at(0.0).peak_value(Peak::Complementary);
         if origin >= scan.found.complementary.value {
             scan.found.complementary = Highest { value: origin, omega: Some(0.0) };
@@ -103,13 +110,16 @@ impl<'a> Scan<'a> {
                 self.list_steady_crossovers(from);
             }
             let open = self.open_by_envelope(all, from, f64::INFINITY);
+            let open = if self.neutral { self.open_by_lifting(open, from, f64::INFINITY) } else { open };
             if !open.any() {
                 break;
             }
-            if self.work > WORK || to > 1e110 {
+            if self.found.work > WORK || to > 1e110 {
                 self.found.unfinished_from = Some(from);
                 break;
             }
+            let open = self.open_by_envelope(open, from, to);
+            let open = self.open_by_lifting(open, from, to);
             self.band(from, to, open);
             from = to;
             to *= 2.0;
@@ -140,11 +150,61 @@ impl<'a> Scan<'a> {
         }
     }
 
+    /// What frequency and phase as two variables leave open on [from, to]; the pieces of the axis on which they
+    /// prove nothing are searched at once.
+    fn open_by_lifting(&mut self, mut open: Open, from: f64, to: f64) -> Open {
+        let Some(lifted) = self.lifted.filter(|lifted| lifted.applies(from, to)) else { return open };
+        let none = Open { gain: false, phase: false, sensitivity: false, complementary: false };
+        let functions = self.functions;
+        for peak in [Peak::Sensitivity, Peak::Complementary] {
+            let asked = match peak {
+                Peak::Sensitivity => &mut open.sensitivity,
+                Peak::Complementary => &mut open.complementary,
+            };
+            if !std::mem::take(asked) {
+                continue;
+            }
+            let question =
+                |scan: &mut Self| Question::Below(peak, scan.highest(peak).value * (1.0 + PEAK_TOLERANCE));
+            let first = question(self);
+            let rest = lifted.open(first, from, to, |omega| {
+                self.offer(peak, &functions.at(omega));
+                question(self)
+            });
+            let only = match peak {
+                Peak::Sensitivity => Open { sensitivity: true, ..none },
+                Peak::Complementary => Open { complementary: true, ..none },
+            };
+            if !self.search_pieces(rest, only) {
+                match peak {
+                    Peak::Sensitivity => open.sensitivity = true,
+                    Peak::Complementary => open.complementary = true,
+                }
+            }
+        }
+        if open.phase && self.stable && self.found.phase_crossovers.len() >= LISTED {
+            let question = Question::RealAxis(self.found.below_one * (1.0 + PEAK_TOLERANCE));
+            let rest = lifted.open(question, from, to, |_| question);
+            open.phase = !self.search_pieces(rest, Open { phase: true, ..none });
+        }
+        open
+    }
+
+    /// Searches what a proof left; false where the proof was given up.
+    fn search_pieces(&mut self, (pieces, work): (Option<Vec<(f64, f64)>>, usize), open: Open) -> bool {
+        self.found.work += work;
+        let Some(pieces) = pieces else { return false };
+        for (a, b) in pieces {
+            self.band(a, b, open);
+        }
+        true
+    }
+
     fn band(&mut self, from: f64, to: f64, open: Open) {
         let mut stack = vec![(from, to, open)];
         while let Some((a, b, open)) = stack.pop() {
-            self.work += 1;
-            if self.work > WORK {
+            self.found.work += 1;
+            if self.found.work > WORK {
                 return;
             }
             let (middle, radius) = (f64::midpoint(a, b), 0.5 * (b - a));
