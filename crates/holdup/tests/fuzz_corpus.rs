@@ -1,6 +1,8 @@
 //! The corpora of the fuzz targets, replayed: every text is read or refused in one line, and what is read comes
 //! back as it was written.
 
+#![expect(clippy::unwrap_used, reason = "helpers of tests")]
+
 use std::path::Path;
 
 use holdup::model::events::read_events;

@@ -72,7 +72,7 @@ fn ten_thousand_dead_times_of_a_slow_oscillation_keep_their_accuracy() {
     // P control with κ = 1.5707: the dominant pole s = −κ·e^{−s}, and its residue, by Newton in complex numbers:
     // y → 1 + 2·Re(c·e^{st}), e(t) = −2·Re(c·e^{st}), c = κe^{−s}/(s(1 + s)·…): from y(s) = κe^{−s}/(s(s + κe^{−s})).
     use num_complex::Complex64;
-    let kappa = 1.5707;
+    let kappa = 0.99994 * std::f64::consts::FRAC_PI_2; // 1.5707
     let mut s = Complex64::new(-1e-4, 1.57);
     for _ in 0..50 {
         let delayed = kappa * (-s).exp();

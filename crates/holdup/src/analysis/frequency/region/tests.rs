@@ -105,7 +105,7 @@ fn gain_and_phase_margins_are_met_at_every_vertex() {
             match level.constant {
                 Constant::GainMargin(value) => assert!((m.gain_margin.unwrap() - value).abs() < 1e-9),
                 Constant::PhaseMargin(value) => {
-                    assert!((m.phase_margin.unwrap().0.abs() - value).abs() < 1e-9)
+                    assert!((m.phase_margin.unwrap().0.abs() - value).abs() < 1e-9);
                 }
                 Constant::SensitivityPeak(_) => unreachable!("not asked for"),
             }
