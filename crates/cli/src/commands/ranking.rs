@@ -99,50 +99,47 @@ pub(super) fn ranked_json(rule: &Ranked) -> Value {
 fn text(process: &Process, order: &Order, ranking: &Ranking, console: Console) -> String {
     let rules = &ranking.rules;
     let mut text = String::new();
-    let mut say = |sentence: &str| text += &(fold(sentence, console.width).join("\n") + "\n");
     let unstable: Vec<&str> =
         rules.iter().filter(|rule| !rule.achieved.stable).map(|rule| rule.entry.id).collect();
     if !unstable.is_empty() {
-        say(&format!("UNSTABLE on this process: {}.", unstable.join(", ")));
+        say(&mut text, console, &format!("UNSTABLE on this process: {}.", unstable.join(", ")));
     }
-    say(&format!("{} rules for {}.", rules.len(), process_line(process)));
-    say(&format!("Order: {}.", order.description));
+    say(&mut text, console, &format!("{} rules for {}.", rules.len(), process_line(process)));
+    say(&mut text, console, &format!("Order: {}.", order.description));
     say(
+        &mut text,
+        console,
         "Unit steps, integrals over all time; 100 % is what no controller beats, – is infinite. A rule with * is \
          dominated: another one here is nowhere worse in both IAE, M_s and noise gain, and somewhere better.",
     );
     if rules.is_empty() {
         return text;
     }
-    text.push('\n');
-    let heading = [
-        "rule",
-        "load %",
-        "step %",
-        "M_s",
-        "A_m",
-        "φ_m °",
-        "d_m s",
-        "noise",
-        "Kc",
-        "Ti [s]",
-        "Td [s]",
-        "load IAE",
-        "step IAE",
-        "variation",
-        "energy",
-    ];
-    text += &table(console, &heading, &rules.iter().map(row).collect::<Vec<_>>());
-    text += "variation: of the controller output after a load step; energy: of a setpoint step\n";
+    let names = |rule: &Ranked| {
+        let mark = if rule.dominated_by.is_some() { " *" } else { "" };
+        format!("{}{mark}", rule.entry.id)
+    };
+    let mut block = |heading: &[&str], cells: fn(&Ranked) -> Vec<String>| {
+        let rows: Vec<Vec<String>> =
+            rules.iter().map(|rule| [vec![names(rule)], cells(rule)].concat()).collect();
+        text.push('\n');
+        text += &table(console, heading, &rows);
+    };
+    block(&["rule", "load %", "step %", "M_s", "A_m", "φ_m °", "d_m s", "noise"], quality);
+    block(&["rule", "Kc", "Ti [s]", "Td [s]", "IAE D", "IAE r", "TV D", "∫u² r"], settings);
+    say(
+        &mut text,
+        console,
+        "D: unit load step, r: unit setpoint step, TV: total variation of the controller output, \
+         noise: gain from measurement to controller output at high frequency.",
+    );
     text
 }
 
-fn row(rule: &Ranked) -> Vec<String> {
-    let (controller, achieved) = (&rule.tuning.controller, &rule.achieved);
-    let mark = if rule.dominated_by.is_some() { " *" } else { "" };
+fn quality(rule: &Ranked) -> Vec<String> {
+    let achieved = &rule.achieved;
     let peak = if achieved.stable { short(achieved.sensitivity_peak) } else { "unst.".to_owned() };
     vec![
-        format!("{}{mark}", rule.entry.id),
         short(rule.load_percent()),
         short(rule.setpoint_percent()),
         peak,
@@ -150,6 +147,12 @@ fn row(rule: &Ranked) -> Vec<String> {
         short(achieved.phase_margin.map(Radians::degrees)),
         short(achieved.delay_margin.map(|time| time.0)),
         short(rule.noise_gain),
+    ]
+}
+
+fn settings(rule: &Ranked) -> Vec<String> {
+    let controller = &rule.tuning.controller;
+    vec![
         number(controller.proportional_gain()),
         number(controller.integral_time()),
         number(controller.derivative_time()),
@@ -158,6 +161,11 @@ fn row(rule: &Ranked) -> Vec<String> {
         number(rule.load.as_ref().and_then(|step| step.total_variation)),
         number(rule.setpoint.as_ref().and_then(|step| step.control_energy)),
     ]
+}
+
+/// A sentence in the width of the console.
+fn say(text: &mut String, console: Console, sentence: &str) {
+    *text += &(fold(sentence, console.width).join("\n") + "\n");
 }
 
 /// A number to three digits.

@@ -145,27 +145,18 @@ fn columns(heading: &[&str], words: usize) -> Vec<(String, Column)> {
 
 /// All rules of a kind of process.
 fn all(caption: &str, rules: &[&AtlasRule]) -> Result<Table, ReportError> {
-    let mut heading = vec!["rule", "structure", "status", "source", "published", "dominated by"];
-    let words = heading.len();
-    heading.extend(FIGURES);
+    let last = ["structure", "status", "dominated by", "published", "source"];
     let rows = rules.iter().map(|rule| {
         let entry = rule.entry;
         let dominated = rule.figures.as_ref().ok().and_then(|rule| rule.dominated_by);
         let source = format!("{} {}", entry.authors, entry.year);
-        let mut row: Vec<String> = [
-            entry.id,
-            entry.structure,
-            entry.status.word(),
-            &source,
-            &rule.verdict(),
-            dominated.unwrap_or("–"),
-        ]
-        .map(str::to_owned)
-        .to_vec();
-        row.extend(rule.figures());
-        row
+        let words =
+            [entry.structure, entry.status.word(), dominated.unwrap_or("–"), &rule.verdict(), &source];
+        [vec![entry.id.to_owned()], rule.figures(), words.map(str::to_owned).to_vec()].concat()
     });
-    Ok(Table::new(caption, columns(&heading, words), rows.collect())?)
+    let mut heading = columns(&[&["rule"][..], &FIGURES].concat(), 1);
+    heading.extend(columns(&last, last.len()));
+    Ok(Table::new(caption, heading, rows.collect())?)
 }
 
 /// The section of one rule.
