@@ -43,14 +43,18 @@ pub(crate) struct AnswerArgs {
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
     /// List the tuning rules, or show the page of one
-    #[command(after_help = "Examples:\n  holdup rules\n  holdup rules pd-kadam")]
+    #[command(after_help = "\
+Examples:
+  holdup rules --structure pi --status recommended
+  holdup rules pi-simc
+  holdup rules --report atlas.html")]
     Rules(RulesArgs),
     /// Tune a controller by one rule, or by all that apply, ranked
     #[command(after_help = "\
 Examples:
   holdup tune -p K=0.0506,d=6 --rule pid-wang-cluett-z1 --set beta=3
   holdup tune -p K=0.0506,d=6 --rule pd-exact --set Am=3 --set phi_m=65deg
-  holdup tune -p K=0.0506,d=6")]
+  holdup tune -p K=0.0506,d=6 --structure pi --max-sensitivity 1.7 --sort load_iae")]
     Tune(TuneArgs),
     /// Prove a loop stable or not, and give its exact margins
     #[command(after_help = "\
@@ -123,6 +127,18 @@ pub(crate) struct RulesArgs {
     /// Identifier of the rule to show
     #[arg(value_name = "ID")]
     pub(crate) id: Option<String>,
+    /// List the rules of this structure only: p, pi, pd, pid, pd+dob
+    #[arg(long, value_name = "STRUCTURE", conflicts_with = "id")]
+    pub(crate) structure: Option<String>,
+    /// List the rules for this process only: integrating, integrating-with-lag, double-integrating
+    #[arg(short, long, value_name = "PROCESS", conflicts_with = "id")]
+    pub(crate) process: Option<String>,
+    /// List the rules of this status only: recommended, history, wrong
+    #[arg(long, value_name = "STATUS", conflicts_with = "id")]
+    pub(crate) status: Option<String>,
+    /// Write the atlas of all rules as one self-contained page
+    #[arg(long, value_name = "FILE.html", conflicts_with = "id")]
+    pub(crate) report: Option<PathBuf>,
 }
 
 /// `holdup tune`.
@@ -137,6 +153,19 @@ pub(crate) struct TuneArgs {
     /// Set a parameter of the rule; repeatable
     #[arg(long, value_name = "NAME=VALUE", requires = "rule")]
     pub(crate) set: Vec<String>,
+    /// Rank the rules of this structure only: p, pi, pd, pid, pd+dob
+    #[arg(long, value_name = "STRUCTURE", conflicts_with = "rule")]
+    pub(crate) structure: Option<String>,
+    /// Rank only rules whose loop has at most this sensitivity peak
+    #[arg(long, value_name = "M_s", conflicts_with = "rule", allow_hyphen_values = true)]
+    pub(crate) max_sensitivity: Option<String>,
+    /// Rank by balance (the default), load_iae, setpoint_iae, sensitivity_peak, gain_margin, phase_margin,
+    /// delay_margin, noise_gain, control_energy or total_variation
+    #[arg(long, value_name = "QUANTITY", conflicts_with = "rule")]
+    pub(crate) sort: Option<String>,
+    /// Rank also the rules that are kept as history or as wrong
+    #[arg(long, conflicts_with = "rule")]
+    pub(crate) all: bool,
 }
 
 /// `holdup simulate`.

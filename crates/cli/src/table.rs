@@ -54,7 +54,7 @@ pub(crate) fn table(console: Console, heading: &[&str], rows: &[Vec<String>]) ->
 /// Whether a column holds numbers, or marks that stand for one.
 fn is_numeric(rows: &[Vec<String>], column: usize) -> bool {
     let number = |cell: &String| cell.starts_with(|c: char| c.is_ascii_digit() || "–-∞<…".contains(c));
-    let verdict = |cell: &String| ["yes", "no", "unstable"].contains(&cell.as_str());
+    let verdict = |cell: &String| ["yes", "no", "unstable", "unst."].contains(&cell.as_str());
     rows.iter().filter_map(|row| row.get(column)).all(|cell| number(cell) || verdict(cell))
 }
 

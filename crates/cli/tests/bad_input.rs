@@ -58,6 +58,25 @@ fn each_fault_of_the_loop_names_its_key() {
 }
 
 #[test]
+fn each_fault_of_the_filters_names_what_is_allowed() {
+    for (words, parts) in [
+        (&["tune", "-p", PROCESS, "--sort", "load_ia"][..], &["--sort", "load_iae"][..]),
+        (&["tune", "-p", PROCESS, "--structure", "pio"], &["--structure", "pio", "PID"]),
+        (
+            &["tune", "-p", PROCESS, "--max-sensitivity", "0.9"],
+            &["--max-sensitivity", "0.9", "greater than 1"],
+        ),
+        (&["tune", "-p", PROCESS, "--max-sensitivity", "x"], &["--max-sensitivity", "x"]),
+        (&["rules", "--process", "integrating-with-lags"], &["--process", "integrating with lag"]),
+        (&["rules", "--status", "good"], &["--status", "good", "recommended"]),
+        (&["rules", "pi-simk"], &["pi-simk", "pi-simc"]),
+    ] {
+        let error = refused(words);
+        parts.iter().for_each(|part| assert!(error.contains(part), "{words:?}: {error}"));
+    }
+}
+
+#[test]
 fn each_fault_of_tune_names_rule_or_parameter() {
     for (words, parts) in [
         (&["--rule", "pd-kadm"][..], "pd-kadam"),

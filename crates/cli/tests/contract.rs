@@ -112,6 +112,63 @@ fn tune_without_a_rule_ranks_those_that_apply() {
 }
 
 #[test]
+fn the_ranking_has_its_fields_and_its_filters() {
+    let words =
+        ["tune", "-p", PROCESS, "--structure", "pi", "--max-sensitivity", "1.7", "--sort", "load_iae"];
+    let result = json(&words);
+    let rules = result.as_array().unwrap();
+    let mut before = 0.0;
+    for rule in rules {
+        has(rule, &["load_iae", "setpoint_iae", "percent_of_best", "noise_gain", "control_energy"]);
+        has(rule, &["total_variation", "dominated", "dominated_by", "tail"]);
+        assert_eq!(rule["controller"]["structure"], "PI");
+        assert!(rule["achieved"]["sensitivity_peak"].as_f64().unwrap() <= 1.7);
+        let iae = rule["load_iae"].as_f64().unwrap();
+        assert!(iae >= before, "{rule}");
+        assert!(rule["tail"]["load_iae"].as_f64().unwrap() < 1e-9);
+        before = iae;
+    }
+    let all = json(&["tune", "-p", PROCESS, "--all"]);
+    let all = all.as_array().unwrap();
+    assert!(all.len() > rules.len());
+    let unstable = all.iter().position(|rule| rule["achieved"]["stable"] == false).unwrap();
+    assert!(
+        all[unstable..].iter().all(|rule| rule["achieved"]["stable"] == false),
+        "unstable rules come last"
+    );
+    assert!(all[unstable]["warnings"][0].as_str().unwrap().starts_with("unstable"));
+    // A proportional controller leaves an error after a load.
+    let p = all.iter().find(|rule| rule["rule"] == "p-haalman").unwrap();
+    assert!(p["load_iae"].is_null() && p["setpoint_iae"].is_number());
+}
+
+#[test]
+fn the_list_of_rules_is_filtered_and_the_page_of_one_has_its_figures() {
+    let list = json(&["rules", "--structure", "pi", "--process", "integrating", "--status", "recommended"]);
+    assert!(list.as_array().unwrap().len() > 10);
+    for rule in list.as_array().unwrap() {
+        assert_eq!((&rule["structure"], &rule["process"]), (&"PI".into(), &"integrating".into()));
+        assert_eq!(rule["status"], "recommended");
+    }
+    assert!(!json(&["rules", "--process", "double-integrating"]).as_array().unwrap().is_empty());
+    let simc = json(&["rules", "pi-simc"]);
+    // Ti/Kc: the error keeps its sign.
+    assert!((simc["figures"]["load_iae"].as_f64().unwrap() - 16.0).abs() < 1e-7);
+    assert!(simc["published"].as_array().unwrap().iter().all(|value| value["reproduced"] == true));
+}
+
+#[test]
+fn the_atlas_is_one_offline_page_with_a_section_for_each_rule() {
+    let path = folder("atlas").join("atlas.html");
+    let list = json(&["rules", "--structure", "pi", "--report", path.to_str().unwrap()]);
+    let html = std::fs::read_to_string(&path).unwrap();
+    assert!(html.contains("best possible PI") && !html.contains("src=\"http"));
+    for rule in list.as_array().unwrap() {
+        assert!(html.contains(&format!("<h2>{}</h2>", rule["id"].as_str().unwrap())));
+    }
+}
+
+#[test]
 fn rules_has_the_names_of_the_contract() {
     for rule in json(&["rules"]).as_array().unwrap() {
         has(
@@ -260,6 +317,9 @@ fn tables_stay_within_eighty_columns_and_without_colours() {
         &["compare", "studies/kadam-2017.toml"],
         &["analyse", "-p", PROCESS, "-c", PID],
         &["rules", "pd-kadam"],
+        &["rules", "--status", "wrong"],
+        &["rules", "pid-zhang-hinf"],
+        &["tune", "-p", "K=-3e-5,d=2min,T=30", "--all"],
     ] {
         let text = String::from_utf8(run(words).stdout).unwrap();
         assert!(!text.contains('\u{1b}'));

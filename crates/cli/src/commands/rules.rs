@@ -1,34 +1,71 @@
-//! `holdup rules`: the list of the rules, and the page of one.
+//! `holdup rules`: the list of the rules with its filters, and the atlas.
 
-use std::fmt::Write as _;
-
-use holdup::tuning::{Default, Entry, Status, rule, rules};
+use holdup::model::text::nearest;
+use holdup::study::atlas::Atlas;
+use holdup::study::atlas::page::page as page_of;
+use holdup::tuning::{Applies, Default, Entry, Status, rule, rules};
 use serde_json::{Value, json};
 
+use super::ranking::{choice, structure};
 use crate::args::RulesArgs;
 use crate::console::{Answer, Console};
 use crate::fault::Fault;
-use crate::table::{fold, number, table, title};
+use crate::table::table;
 
 /// Lists all rules, or shows one.
 pub(crate) fn run(args: &RulesArgs, console: Console) -> Result<Answer, Fault> {
     if let Some(id) = &args.id {
         let entry = rule(id).map_err(|error| Fault::option("ID", error))?;
-        let text = if console.json { String::new() } else { page(console, entry) };
-        return Ok(Answer { json: json_of(entry), text, ..Answer::default() });
+        return Ok(super::rule_page::run(entry, json_of(entry), console));
     }
-    let json = Value::Array(rules().iter().map(|entry| json_of(entry)).collect());
-    let mut text = String::new();
-    if !console.json {
-        let row = |entry: &&Entry| {
-            let (structure, process) = (entry.structure.to_owned(), entry.process.name().to_owned());
-            vec![entry.id.to_owned(), structure, process, format!("{} {}", entry.authors, entry.year)]
+    let chosen = chosen(args)?;
+    let mut files = Vec::new();
+    if let Some(path) = &args.report {
+        let atlas = Atlas::of(|entry| chosen.iter().any(|rule| rule.id == entry.id));
+        let page = page_of(&atlas).map_err(Fault::input)?;
+        files.push((path.clone(), page.html().into_bytes()));
+    }
+    let json = Value::Array(chosen.iter().map(|entry| json_of(entry)).collect());
+    let text = if console.json { String::new() } else { list(&chosen, console) };
+    Ok(Answer { json, text, files, ..Answer::default() })
+}
+
+/// The rules that the options leave.
+fn chosen(args: &RulesArgs) -> Result<Vec<&'static Entry>, Fault> {
+    let structure = args.structure.as_deref().map(structure).transpose()?;
+    let one_of = |option: &str, given: &Option<String>, known: &[&'static str]| {
+        let Some(given) = given else { return Ok(None) };
+        let plain = given.to_lowercase().replace(['-', '_'], " ");
+        let found = known.iter().copied().find(|name| *name == plain).map(Some);
+        let near = nearest(given, known.iter().copied());
+        found.ok_or_else(|| Fault::option(option, choice(given, near, known)))
+    };
+    let process = one_of("--process", &args.process, &Applies::ALL.map(Applies::name))?;
+    let status = one_of("--status", &args.status, &["recommended", "history", "wrong"])?;
+    Ok(rules()
+        .iter()
+        .copied()
+        .filter(|entry| structure.is_none_or(|structure| entry.structure == structure))
+        .filter(|entry| process.is_none_or(|process| entry.process.name() == process))
+        .filter(|entry| status.is_none_or(|status| entry.status.word() == status))
+        .collect())
+}
+
+fn list(chosen: &[&'static Entry], console: Console) -> String {
+    let row = |entry: &&Entry| {
+        let (structure, process) = (entry.structure.to_owned(), entry.process.name().to_owned());
+        let mark = match entry.status {
+            Status::Recommended => "",
+            Status::History(_) => " (history)",
+            Status::Wrong(_) => " (wrong)",
         };
-        let rows: Vec<Vec<String>> = rules().iter().map(row).collect();
-        text = table(console, &["rule", "structure", "process", "authors"], &rows);
-        let _ = writeln!(text, "{} rules; 'holdup rules ID' shows the page of one", rows.len());
-    }
-    Ok(Answer { json, text, ..Answer::default() })
+        let id = format!("{}{mark}", entry.id);
+        vec![id, structure, process, format!("{} {}", entry.authors, entry.year)]
+    };
+    let rows: Vec<Vec<String>> = chosen.iter().map(row).collect();
+    let mut text = table(console, &["rule", "structure", "process", "authors"], &rows);
+    text += &format!("{} of {} rules; 'holdup rules ID' shows the page of one\n", rows.len(), rules().len());
+    text
 }
 
 fn json_of(entry: &'static Entry) -> Value {
@@ -64,6 +101,7 @@ fn json_of(entry: &'static Entry) -> Value {
         "formula": entry.formula.iter().map(|(name, text)| ((*name).to_owned(), json!(text))).collect::<serde_json::Map<_, _>>(),
         "provenance": entry.provenance.text(),
         "recommended": entry.status == Status::Recommended,
+        "status": entry.status.word(),
     })
 }
 
@@ -74,58 +112,4 @@ fn reproduced(entry: &'static Entry) -> Value {
         Ok(values) => json!(values.iter().all(|value| value.reproduced)),
         Err(_) => json!(false),
     }
-}
-
-fn page(console: Console, entry: &'static Entry) -> String {
-    let mut text = title(console, &format!("{}: {}", entry.id, entry.name));
-    let source = format!("{} ({}): {}", entry.authors, entry.year, entry.citation);
-    text += &(fold(&source, console.width).join("\n") + "\n\n");
-    let mut line = |name: &str, value: &str| {
-        if !value.is_empty() {
-            text += &folded(name, value, console.width);
-        }
-    };
-    line("Structure", entry.structure);
-    line("Process", entry.process.name());
-    line("Form", entry.form.text());
-    line("When", entry.when);
-    line("Limits", entry.limits);
-    line("Provenance", &format!("{}; {}", entry.provenance.text(), entry.source));
-    match entry.status {
-        Status::Recommended => {}
-        Status::History(why) => line("Status", &format!("kept as history, not recommended: {why}")),
-        Status::Wrong(why) => line("Status", &format!("not to be used: {why}")),
-    }
-    for (name, formula) in entry.formula {
-        line("Formula", &format!("{name} = {formula}"));
-    }
-    if !entry.parameters.is_empty() {
-        let rows: Vec<Vec<String>> = entry
-            .parameters
-            .iter()
-            .map(|parameter| {
-                let default = match parameter.default {
-                    Default::Number(value) => number(value),
-                    Default::Formula(formula) => formula.to_owned(),
-                    Default::Absent => "–".to_owned(),
-                };
-                let name = match parameter.unit.symbol() {
-                    "" => parameter.name.to_owned(),
-                    unit => format!("{} [{unit}]", parameter.name),
-                };
-                vec![name, parameter.description.to_owned(), default, parameter.range.to_owned()]
-            })
-            .collect();
-        text.push('\n');
-        text += &table(console, &["parameter", "meaning", "default", "allowed"], &rows);
-    }
-    text
-}
-
-/// A name and a text broken into lines behind it.
-fn folded(name: &str, value: &str, width: usize) -> String {
-    const INDENT: usize = 12;
-    let lines = fold(value, width - INDENT);
-    let heads = std::iter::once(name).chain(std::iter::repeat(""));
-    heads.zip(&lines).fold(String::new(), |text, (head, line)| text + &format!("{head:<INDENT$}{line}\n"))
 }

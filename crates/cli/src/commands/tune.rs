@@ -3,14 +3,10 @@
 use std::fmt::Write as _;
 
 use holdup::analysis::frequency::{Margins, margins};
-use holdup::analysis::response::{Scenario, simulate};
 use holdup::model::description::ControllerDescription;
 use holdup::model::quantity::{read_angle, read_any, read_number, read_rate, read_time};
-use holdup::model::{ClosedLoop, Controller, Process, Radians, Seconds, TextError};
-use holdup::study::PercentOfBest;
-use holdup::tuning::{
-    Entry, Infeasible, Parameters, RuleError, Specification, Status, Tuning, Unit, rule, rules,
-};
+use holdup::model::{ClosedLoop, Process, Radians, TextError};
+use holdup::tuning::{Entry, Infeasible, Parameters, RuleError, Specification, Tuning, Unit, rule};
 use serde_json::{Value, json};
 
 use super::view::{controller_line, margins_table, process_line};
@@ -20,18 +16,12 @@ use crate::fault::Fault;
 use crate::input;
 use crate::table::{number, table, title};
 
-/// Rules whose loop has a greater sensitivity peak are ranked behind those that have not.
-const ROBUST: f64 = 2.0;
-
-/// Dead times over which a rule is ranked.
-const HORIZON: f64 = 100.0;
-
 /// Tunes by the rule, or by all.
 pub(crate) fn run(args: &TuneArgs, console: Console) -> Result<Answer, Fault> {
     let process = input::process(args.process.as_ref())?;
     match &args.rule {
         Some(id) => one(id, &args.set, &process, console),
-        None => all(&process, console),
+        None => super::ranking::run(args, &process, console),
     }
 }
 
@@ -93,24 +83,7 @@ impl Tuned {
     }
 
     fn json(&self) -> Value {
-        let mut controller = ControllerDescription::from(&self.tuning.controller);
-        controller.published = serde_json::to_value(&self.tuning.published).unwrap_or_default();
-        let mut json = json!({
-            "rule": self.tuning.rule,
-            "controller": controller,
-            "specification": self.tuning.specification,
-            "achieved": self.achieved,
-            "noise_gain": self.tuning.controller.noise_gain(),
-            "warnings": self.warnings,
-        });
-        if !self.tuning.alternatives.is_empty() {
-            let others: Vec<_> = self.tuning.alternatives.iter().map(ControllerDescription::from).collect();
-            json["alternatives"] = json!(others);
-        }
-        if !self.tuning.trade_off.is_empty() {
-            json["trade_off"] = json!(self.tuning.trade_off);
-        }
-        json
+        json_of(&self.tuning, &self.achieved, &self.warnings)
     }
 
     fn text(&self, process: &Process, entry: &Entry, console: Console) -> String {
@@ -150,6 +123,28 @@ impl Tuned {
         }
         text
     }
+}
+
+/// A tuning as the contract has it.
+pub(super) fn json_of(tuning: &Tuning, achieved: &Margins, warnings: &[String]) -> Value {
+    let mut controller = ControllerDescription::from(&tuning.controller);
+    controller.published = serde_json::to_value(&tuning.published).unwrap_or_default();
+    let mut json = json!({
+        "rule": tuning.rule,
+        "controller": controller,
+        "specification": tuning.specification,
+        "achieved": achieved,
+        "noise_gain": tuning.controller.noise_gain(),
+        "warnings": warnings,
+    });
+    if !tuning.alternatives.is_empty() {
+        let others: Vec<_> = tuning.alternatives.iter().map(ControllerDescription::from).collect();
+        json["alternatives"] = json!(others);
+    }
+    if !tuning.trade_off.is_empty() {
+        json["trade_off"] = json!(tuning.trade_off);
+    }
+    json
 }
 
 /// What was asked for beside what is achieved, where both can be compared.
@@ -200,95 +195,4 @@ fn refused(infeasible: &Infeasible) -> Answer {
         text: format!("{infeasible}\n"),
         ..Answer::default()
     }
-}
-
-/// A rule with its place among the others.
-struct Ranked {
-    entry: &'static Entry,
-    tuned: Tuned,
-    setpoint: PercentOfBest,
-    load: PercentOfBest,
-}
-
-impl Ranked {
-    fn of(entry: &'static Entry, process: &Process) -> Option<Self> {
-        let tuned = Tuned::of(process, entry.tune(process, &Parameters::new()).ok()?).ok()?;
-        let horizon = Seconds(HORIZON * process.dead_time());
-        let run = |setpoint: Vec<(f64, f64)>, load: Vec<(f64, f64)>| {
-            let scenario = Scenario::new(setpoint, load, horizon, 0.0).ok()?;
-            percent_of_best(process, &tuned.tuning.controller, &scenario)
-        };
-        let nothing = PercentOfBest { iae: None, ise: None, itae: None, peak: None };
-        let setpoint = run(vec![(0.0, 1.0)], Vec::new()).unwrap_or(nothing);
-        let load = run(Vec::new(), vec![(0.0, 1.0)]).unwrap_or(nothing);
-        Some(Self { entry, tuned, setpoint, load })
-    }
-
-    /// Lower is better: robust and recommended before fragile or historical before unstable.
-    fn class(&self) -> u8 {
-        let achieved = &self.tuned.achieved;
-        let robust = achieved.sensitivity_peak.is_some_and(|peak| peak <= ROBUST * (1.0 + 1e-9));
-        match (achieved.stable, robust, self.entry.status) {
-            (false, _, _) => 3,
-            (_, _, Status::Wrong(_)) => 2,
-            (true, true, Status::Recommended) => 0,
-            (true, _, _) => 1,
-        }
-    }
-
-    fn score(&self) -> f64 {
-        let share = |percent: Option<f64>| percent.unwrap_or(0.0);
-        (share(self.setpoint.iae) * share(self.load.iae)).sqrt()
-    }
-}
-
-fn percent_of_best(process: &Process, controller: &Controller, scenario: &Scenario) -> Option<PercentOfBest> {
-    let response = simulate(&ClosedLoop::new(process, controller), scenario).ok()?;
-    let bounds = holdup::analysis::bounds::Bounds::of(process, scenario);
-    Some(PercentOfBest::of(&response.metrics, &bounds))
-}
-
-fn all(process: &Process, console: Console) -> Result<Answer, Fault> {
-    let applicable = rules().iter().copied().filter(|entry| entry.applies(process));
-    let mut ranked: Vec<Ranked> = applicable.filter_map(|entry| Ranked::of(entry, process)).collect();
-    if ranked.is_empty() {
-        return Err(Fault::option(
-            "--process",
-            "no rule gives a controller for this process; see 'holdup rules'",
-        ));
-    }
-    ranked.sort_by(|a, b| a.class().cmp(&b.class()).then(b.score().total_cmp(&a.score())));
-    let json = ranked.iter().map(|ranked| {
-        let mut json = ranked.tuned.json();
-        json["percent_of_best"] = json!({"setpoint_iae": ranked.setpoint.iae, "load_iae": ranked.load.iae});
-        json
-    });
-    let json = Value::Array(json.collect());
-    let mut text = String::new();
-    if !console.json {
-        text = format!(
-            "Rules for {}.\nStable with M_s ≤ {ROBUST} first, then by the geometric mean of the two IAE in\npercent of the best possible: 100 % is what no controller beats.\n\n",
-            process_line(process)
-        );
-        let rows: Vec<Vec<String>> = ranked.iter().map(row).collect();
-        let heading = ["rule", "Kc", "Ti [s]", "Td [s]", "A_m", "φ_m [°]", "M_s", "step [%]", "load [%]"];
-        text += &table(console, &heading, &rows);
-    }
-    Ok(Answer { json, text, ..Answer::default() })
-}
-
-fn row(ranked: &Ranked) -> Vec<String> {
-    let (controller, achieved) = (&ranked.tuned.tuning.controller, &ranked.tuned.achieved);
-    let verdict = |value: Option<f64>| if achieved.stable { number(value) } else { "unstable".to_owned() };
-    vec![
-        ranked.entry.id.to_owned(),
-        number(controller.proportional_gain()),
-        number(controller.integral_time()),
-        number(controller.derivative_time()),
-        number(achieved.gain_margin),
-        number(achieved.phase_margin.map(Radians::degrees)),
-        verdict(achieved.sensitivity_peak),
-        number(ranked.setpoint.iae),
-        number(ranked.load.iae),
-    ]
 }

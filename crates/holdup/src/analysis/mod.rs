@@ -2,5 +2,6 @@
 
 pub mod bounds;
 pub mod frequency;
+pub mod infinite_horizon;
 pub mod metrics;
 pub mod response;

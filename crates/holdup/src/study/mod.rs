@@ -1,5 +1,6 @@
 //! Comparing loops and telling what was found.
 
+pub mod atlas;
 pub mod figures;
 mod file;
 pub mod output;

@@ -150,6 +150,9 @@ pub enum Applies {
 }
 
 impl Applies {
+    /// Every kind of process.
+    pub const ALL: [Self; 3] = [Self::Integrating, Self::IntegratingWithLag, Self::DoubleIntegrating];
+
     /// The word of the list: `integrating`, `integrating with lag`, `double integrating`.
     #[must_use]
     pub fn name(self) -> &'static str {
@@ -247,6 +250,27 @@ pub enum Status {
     History(&'static str),
     /// Kept only so that it can be said what is wrong with it.
     Wrong(&'static str),
+}
+
+impl Status {
+    /// The word of the list: `recommended`, `history` or `wrong`.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Recommended => "recommended",
+            Self::History(_) => "history",
+            Self::Wrong(_) => "wrong",
+        }
+    }
+
+    /// Why it is not recommended.
+    #[must_use]
+    pub fn reason(self) -> Option<&'static str> {
+        match self {
+            Self::Recommended => None,
+            Self::History(why) | Self::Wrong(why) => Some(why),
+        }
+    }
 }
 
 /// The value of a parameter that is not set.

@@ -22,10 +22,12 @@ mod error;
 mod exact;
 mod expression;
 mod formula;
+pub mod frontier;
 mod nearest;
 mod parameters;
 mod published;
 mod range;
+pub mod ranking;
 mod rules;
 mod specification;
 

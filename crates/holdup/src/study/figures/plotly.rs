@@ -71,13 +71,18 @@ fn trace(figure: &Figure, series: &Series, panel: usize, first: bool, hover: &st
         _ => "circle",
     };
     let colour = css(look.rgb);
-    json!({
+    let mut trace = json!({
         "type": "scatter", "mode": mode, "name": escape(series.name()), "legendgroup": escape(series.name()),
         "showlegend": first, "x": x, "y": y, "xaxis": "x", "yaxis": axis_name('y', panel), "connectgaps": false,
         "hovertemplate": hover,
         "line": { "color": colour, "width": series.width(), "dash": dash(look.line), "shape": shape },
         "marker": { "color": colour, "size": 8, "symbol": symbol, "line": { "color": colour, "width": 2 } },
-    })
+    });
+    if !series.labels().is_empty() {
+        trace["text"] = series.labels().iter().map(|label| json!(escape(label))).collect();
+        trace["hovertemplate"] = json!("%{text}<extra></extra>");
+    }
+    trace
 }
 
 /// A circle is drawn as a curve: a shape would not be in the legend.
@@ -108,7 +113,8 @@ fn layout(figure: &Figure) -> Value {
     let views = views(figure, height, 700.0);
     let count = panels.len();
     let mut layout = Map::new();
-    let plane = panels.iter().any(Panel::is_equal_aspect);
+    let labelled = |panel: &Panel| panel.series().iter().any(|series| !series.labels().is_empty());
+    let plane = panels.iter().any(|panel| panel.is_equal_aspect() || labelled(panel));
     layout.insert("height".into(), json!(height + 120.0));
     layout.insert("margin".into(), json!({ "l": 70, "r": 16, "t": 32, "b": 50 }));
     layout.insert("hovermode".into(), json!(if plane { "closest" } else { "x unified" }));

@@ -67,6 +67,7 @@ pub struct Series {
     tone: Tone,
     width: f64,
     held: bool,
+    labels: Vec<String>,
 }
 
 impl Series {
@@ -88,6 +89,7 @@ impl Series {
             tone: Tone::Automatic,
             width: 2.0,
             held: false,
+            labels: Vec::new(),
         })
     }
 
@@ -113,6 +115,17 @@ impl Series {
     #[must_use]
     pub fn held(self) -> Self {
         Self { held: true, ..self }
+    }
+
+    /// The series with a text for each point, shown beside the pointer.
+    ///
+    /// # Errors
+    /// [`FigureError::Lengths`] unless there is one label for each point.
+    pub fn with_labels(self, labels: &[String]) -> Result<Self, FigureError> {
+        if labels.len() != self.x.len() {
+            return Err(FigureError::Lengths { series: self.name, x: self.x.len(), y: labels.len() });
+        }
+        Ok(Self { labels: labels.iter().map(|label| clean(label)).collect(), ..self })
     }
 
     /// The series in this colour.
@@ -143,6 +156,12 @@ impl Series {
     #[must_use]
     pub fn line(&self) -> Line {
         self.line
+    }
+
+    /// The text of each point; empty where points have none.
+    #[must_use]
+    pub fn labels(&self) -> &[String] {
+        &self.labels
     }
 
     /// Mark of each point.
