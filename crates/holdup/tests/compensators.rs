@@ -150,7 +150,8 @@ fn the_three_descriptions_of_the_two_degree_compensator_are_one_loop() {
     let (k3, k2) = (1.0 / (l1 * l2), (l1 + l2) / (l1 * l2));
     let k4 = k2 + k3 * d;
     let transfer =
-        LoopTransfer::new(&ClosedLoop::new(&plain(1.0, d), &two_degree(1.0, d, 1.0, l1 + l2, l1 * l2))).unwrap();
+        LoopTransfer::new(&ClosedLoop::new(&plain(1.0, d), &two_degree(1.0, d, 1.0, l1 + l2, l1 * l2)))
+            .unwrap();
     for omega in [0.02, 0.4, 1.0, 7.0] {
         let (s, e) = (Complex64::new(0.0, omega), Complex64::new(0.0, -omega * d).exp());
         // Åström–Hang–Lim: the feedback M(s) of y − y_m at the plant input; 1 + M·G = 1/(1 − T).
@@ -170,7 +171,7 @@ fn the_three_descriptions_of_the_two_degree_compensator_are_one_loop() {
 const SIMULATED: f64 = 1e-9;
 
 fn setpoint_response(process: &Process, controller: &Controller, times: &[f64]) -> Vec<f64> {
-    let step = Scenario::unit_setpoint_step(Seconds(1000.0)).unwrap();
+    let step = Scenario::unit_setpoint_step(Seconds(60.0)).unwrap();
     trajectory(&ClosedLoop::new(process, controller), &step, times).unwrap().controlled_variable
 }
 
@@ -197,6 +198,12 @@ fn a_load_leaves_no_offset_and_the_filter_of_the_setpoint_is_left_away_where_it_
         assert!(response.final_controlled_variable.abs() < SIMULATED, "{}", controller.structure());
         assert!((response.final_manipulated_variable + 1.0).abs() < SIMULATED);
     }
+    // A window keeps no drift that a long run would show.
+    let long = Scenario::new(vec![(0.0, 1.0)], vec![(50.0, 1.0)], Seconds(10_000.0), 0.0).unwrap();
+    for controller in one_of_each(k, d) {
+        let response = simulate(&ClosedLoop::new(&plain(k, d), &controller), &long).unwrap();
+        assert!((response.final_controlled_variable - 1.0).abs() < SIMULATED, "{}", controller.structure());
+    }
     let states = one_of_each(k, d).map(|c| ClosedLoop::new(&plain(k, d), &c).rates().len());
     assert_eq!(states, [2, 3, 4, 3, 2]);
 }
@@ -218,6 +225,12 @@ fn assert_delay_margins(k: f64, d: f64, controller: &Controller) {
     let name = controller.structure();
     assert!(nominal.stable && nominal.warnings.is_empty(), "{name}: {:?}", nominal.warnings);
     let (longer, shorter) = (nominal.delay_margin.unwrap().0, nominal.delay_margin_low.map(|cut| cut.0));
+    // Where L comes from −∞ at ω = 0, nothing there is taken for a crossing.
+    let transfer = LoopTransfer::new(&ClosedLoop::new(&plain(k, d), controller)).unwrap();
+    for &omega in &nominal.phase_crossovers {
+        let at = transfer.at(omega);
+        assert!(omega * d > 0.05 && (-at).arg().abs() < 1e-9, "{name}: L = {at} at {omega}");
+    }
     let stable = |dead_time: f64| achieved(&plain(k, dead_time), controller).stable;
     assert!(stable(d + 0.999 * longer) && !stable(d + 1.001 * longer), "{name}: + {longer}");
     if let Some(cut) = shorter {
@@ -236,7 +249,11 @@ fn a_dead_time_as_much_longer_or_shorter_as_the_delay_margins_say_is_the_limit()
         two_degree(0.7, 1.3, 1.0, 1.0, 0.25),
         huba(0.7, 1.3, 0.6 / 0.91, 0.1),
     ] {
-        assert!(achieved(&plain(0.7, 1.3), &controller).delay_margin_low.is_some(), "{}", controller.structure());
+        assert!(
+            achieved(&plain(0.7, 1.3), &controller).delay_margin_low.is_some(),
+            "{}",
+            controller.structure()
+        );
         assert_delay_margins(0.7, 1.3, &controller);
     }
 }

@@ -75,16 +75,20 @@ fn modified_smith(
     let estimate = match lead {
         None => Sum::default().plus_sum(&error, disturbance_gain),
         Some(Lead { derivative_time, filter_time }) => {
-            let filtered = rates.len();
+            // The state is the filtered error plus the prediction: alone it would be nothing but rounding where the
+            // model is perfect, and a simulation cannot resolve the shape of rounding.
+            let shifted = rates.len();
             let ratio = derivative_time / filter_time;
+            let filtered = state(shifted, 1.0).plus(Source::State(predicted), -1.0);
             rates.push(
                 Sum::default()
                     .plus_sum(&error, 1.0 / filter_time)
-                    .plus(Source::State(filtered), -1.0 / filter_time),
+                    .plus_sum(&filtered, -1.0 / filter_time)
+                    .plus_sum(&main, model_gain),
             );
             Sum::default()
                 .plus_sum(&error, disturbance_gain * ratio)
-                .plus(Source::State(filtered), disturbance_gain * (1.0 - ratio))
+                .plus_sum(&filtered, disturbance_gain * (1.0 - ratio))
         }
     };
     Law {
@@ -134,18 +138,11 @@ fn two_degree(rates: &mut Vec<Sum>, y: usize, model_gain: f64, [t, a1, a2, beta]
 fn inverse_model(rates: &mut Vec<Sum>, y: usize, model_gain: f64, kc: f64, tf: f64) -> Law {
     let z = rates.len();
     let level = 1.0 / (model_gain * tf);
-    rates.push(
-        state(z, -1.0 / tf).plus(Source::State(y), level / tf).plus(Source::Delayed(MODEL), 1.0 / tf),
-    );
+    rates.push(state(z, -1.0 / tf).plus(Source::State(y), level / tf).plus(Source::Delayed(MODEL), 1.0 / tf));
     let estimate = state(y, level).plus(Source::State(z), -1.0);
     let output =
         Sum::default().plus(Source::Setpoint, kc).plus(Source::State(y), -kc).plus_sum(&estimate, -1.0);
-    Law {
-        model_input: Some(output.clone()),
-        output,
-        load_estimate: Some(estimate),
-        windows: Vec::new(),
-    }
+    Law { model_input: Some(output.clone()), output, load_estimate: Some(estimate), windows: Vec::new() }
 }
 
 fn disturbance_rejection(rates: &mut Vec<Sum>, y: usize, b0: f64, wc: f64, wo: f64) -> Law {

@@ -185,9 +185,8 @@ mod tests {
 
     #[test]
     fn settings_out_of_range_are_named() {
-        let message = |law, gain, dead_time| {
-            Compensator::new(law, gain, Seconds(dead_time)).unwrap_err().to_string()
-        };
+        let message =
+            |law, gain, dead_time| Compensator::new(law, gain, Seconds(dead_time)).unwrap_err().to_string();
         let huba = |main_gain, filter_time| CompensatorLaw::InverseModel { main_gain, filter_time };
         assert!(message(huba(0.0, 1.0), 1.0, 1.0).starts_with("main_gain is 0"));
         assert!(message(huba(1.0, -1.0), 1.0, 1.0).starts_with("filter_time is -1"));

@@ -12,10 +12,7 @@ const NAMES: [(&str, &[&str]); 4] = [
     ),
     ("2DOF-DTC", &["setpoint_time_s", "a1_s", "a2_s2", "model_gain", "model_dead_time_s"]),
     ("P+inverse-DOB", &["main_gain", "filter_time_s", "model_gain", "model_dead_time_s"]),
-    (
-        "ADRC",
-        &["controller_bandwidth_rad_s", "observer_bandwidth_rad_s", "model_gain", "model_dead_time_s"],
-    ),
+    ("ADRC", &["controller_bandwidth_rad_s", "observer_bandwidth_rad_s", "model_gain", "model_dead_time_s"]),
 ];
 
 impl Compensator {
@@ -60,7 +57,10 @@ impl Compensator {
     /// # Errors
     /// [`ModelError`] if the structure is none of a compensator, a setting is missing, unknown to it, or out of
     /// its range.
-    pub fn from_parameters<N: AsRef<str>>(structure: &str, settings: &[(N, f64)]) -> Result<Self, ModelError> {
+    pub fn from_parameters<N: AsRef<str>>(
+        structure: &str,
+        settings: &[(N, f64)],
+    ) -> Result<Self, ModelError> {
         let conflict = |name, reason| Err(ModelError::Conflict { name, reason });
         let Some((_, names)) = NAMES.iter().find(|(name, _)| *name == structure) else {
             let reason = "must be SP+DOB, 2DOF-DTC, P+inverse-DOB or ADRC where there are parameters";

@@ -234,7 +234,10 @@ mod tests {
         let law = CompensatorLaw::InverseModel { main_gain: 0.25, filter_time: 2.0 };
         let controller = Controller::from(Compensator::new(law, 0.5, Seconds(3.0)).unwrap());
         let mut json = serde_json::to_value(ControllerDescription::from(&controller)).unwrap();
-        assert_eq!((&json["structure"], &json["parameters"]["filter_time_s"]), (&"P+inverse-DOB".into(), &2.0.into()));
+        assert_eq!(
+            (&json["structure"], &json["parameters"]["filter_time_s"]),
+            (&"P+inverse-DOB".into(), &2.0.into())
+        );
         let read = |json: &serde_json::Value| {
             Controller::try_from(&serde_json::from_value::<ControllerDescription>(json.clone()).unwrap())
         };
