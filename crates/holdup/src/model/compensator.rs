@@ -40,7 +40,7 @@ pub enum CompensatorLaw {
         a2: f64,
     },
     /// Huba's P control with inverse-model observer: `u = Kc·(r − y) − D̂`,
-    /// `D̂ = (s·y/Km − e^(−dm·s)·u)/(Tf·s + 1)`. With a perfect model `S = S_p·(1 − e^(−d·s)/(Tf·s + 1))`, S_p that
+    /// `D̂ = (s·y/Km − e^(−dm·s)·u)/(Tf·s + 1)`. With a perfect model `S = S_p·(1 − e^(−d·s)/(Tf·s + 1))`, `S_p` that
     /// of the P loop.
     InverseModel {
         /// Proportional gain Kc [input unit / output unit].

@@ -5,7 +5,7 @@
 //!
 //! # Formula
 //! `u = Kc (r - y) - D`, `D = ((s/K) y - e^(-d s) u)/(Tf s + 1)`; the default of Kc puts the double real pole.
-//! Exact: `S = S_p (1 - e^(-d s)/(Tf s + 1))` with S_p that of the P loop.
+//! Exact: `S = S_p (1 - e^(-d s)/(Tf s + 1))` with `S_p` that of the P loop.
 //!
 //! # Parameters
 //! `Tf` [s], default d: time of the observer's filter; `Kc` [input/output unit], default 1/(exp(1)*K*d):

@@ -4,7 +4,7 @@
 //! The plain integrator with dead time; the model is `K e^(-d s)/s`.
 //!
 //! # Formula
-//! `Kr = 1/(K*Tr)`. `u = v - K0 (y - y_m)`, `v = Kr (r - y_p - (y - y_m))`, `y_p = K v/s`, `y_m` = y_p one dead
+//! `Kr = 1/(K*Tr)`. `u = v - K0 (y - y_m)`, `v = Kr (r - y_p - (y - y_m))`, `y_p = K v/s`, `y_m` = `y_p` one dead
 //! time ago. Exact: `y/r = e^(-d s)/(Tr s + 1)` and `S = [1 - e^(-d s)/(Tr s + 1)] s/(s + K K0 e^(-d s))`.
 //!
 //! # Parameters

@@ -5,7 +5,7 @@
 //!
 //! # Formula
 //! `k4 = k2 + k3*d`, `a1 = k2/k3`, `a2 = (1 + k1)/k3`. `M = (k4 + k3/s)/(1 + k1 + k2/s + k3/s^2 - (k4/s +
-//! k3/s^2) e^(-d s))` feeds y - y_m back to the process input. Exact: the complementary sensitivity is `(k4 s +
+//! k3/s^2) e^(-d s))` feeds `y - y_m` back to the process input. Exact: the complementary sensitivity is `(k4 s +
 //! k3) e^(-d s)/((1 + k1) s^2 + k2 s + k3)`.
 //!
 //! # Parameters
