@@ -55,6 +55,39 @@ fn settings(controller: &Controller) -> [f64; 7] {
     ]
 }
 
+/// The parameters of a dead-time compensator, times what they must become when time is stretched by `a` and the
+/// gain of the process by `b`; the unit is in the name.
+fn compensator(entry: &'static Entry, [gain, dead_time, lag]: [f64; 3], a: f64, b: f64) -> Vec<f64> {
+    let process = example(entry.process, gain, dead_time, lag);
+    let controller = entry.tune(&process, &question(entry)).unwrap().controller;
+    let parameters = controller.compensator().map_or_else(Vec::new, |compensator| compensator.parameters());
+    let factor = |name: &str| match name {
+        "model_gain" => b,
+        _ if name.ends_with("_rad_s") => 1.0 / a,
+        _ if name.ends_with("_s2") => a * a,
+        _ if name.ends_with("_s") => a,
+        _ => 1.0 / (a * b),
+    };
+    parameters.into_iter().map(|(name, value)| value * factor(name)).collect()
+}
+
+#[test]
+fn settings_of_compensators_follow_time_gain_and_sign() {
+    let compensators = rules().iter().filter(|entry| {
+        let scaled = compensator(entry, [0.7, 1.3, 2.1], 4.0, 3.0);
+        for (l, r) in compensator(entry, [2.1, 5.2, 8.4], 1.0, 1.0).into_iter().zip(&scaled) {
+            assert!((l - r).abs() <= ROUNDING * r.abs(), "{}: {l} is not {r}", entry.id);
+        }
+        // A factor of −1 on the gain of the process is one on every gain, and on nothing else.
+        let turned = compensator(entry, [0.7, 1.3, 2.1], 1.0, -1.0);
+        for (l, r) in compensator(entry, [-0.7, 1.3, 2.1], 1.0, 1.0).into_iter().zip(&turned) {
+            assert!((l - r).abs() <= ROUNDING * r.abs(), "{}: {l} is not {r}", entry.id);
+        }
+        !scaled.is_empty()
+    });
+    assert_eq!(compensators.count(), 7);
+}
+
 fn tuned(entry: &'static Entry, gain: f64, dead_time: f64, lag: f64) -> [f64; 7] {
     let process = example(entry.process, gain, dead_time, lag);
     let tuning = entry.tune(&process, &question(entry));

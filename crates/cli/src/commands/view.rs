@@ -25,6 +25,12 @@ pub(crate) fn process_line(process: &Process) -> String {
 
 /// The controller in one line.
 pub(crate) fn controller_line(controller: &Controller) -> String {
+    if let Some(compensator) = controller.compensator() {
+        let parameters = compensator.parameters().into_iter();
+        let parts: Vec<String> =
+            parameters.map(|(name, value)| format!("{name} = {}", number(value))).collect();
+        return format!("{}: {}", compensator.structure(), parts.join(", "));
+    }
     let mut parts =
         vec![format!("{}: Kc = {}", controller.structure(), number(controller.proportional_gain()))];
     let mut add = |name: &str, value: Option<f64>, unit: &str| {

@@ -3,6 +3,7 @@
 //! This one description gives both the frequency response ([`crate::analysis`] takes determinants of it) and
 //! the states that the simulation propagates.
 
+use super::compensated_loop::compensated_loop;
 use super::controller::Controller;
 use super::process::Process;
 
@@ -58,6 +59,18 @@ pub struct Channel {
     pub input: Sum,
 }
 
+/// A state that is the integral of a channel's input over the last delay of that channel.
+///
+/// Its rate is the input minus the delayed input, which alone would let any constant be added: the integral over the
+/// window is the one without. Δ of the loop holds the factor s of that difference, and analysis divides it out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Window {
+    /// Index of the state.
+    pub state: usize,
+    /// Index of the channel.
+    pub channel: usize,
+}
+
 /// Process, controller and observer, closed: `ẋ = rates`, every delayed signal a [`Channel`].
 ///
 /// Channel 0 is the process input `u + D`, delayed by the dead time of the process: breaking it breaks the
@@ -73,17 +86,21 @@ pub struct Channel {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct ClosedLoop {
-    rates: Vec<Sum>,
-    channels: Vec<Channel>,
-    controlled_variable: usize,
-    manipulated_variable: Sum,
-    load_estimate: Option<Sum>,
+    pub(super) rates: Vec<Sum>,
+    pub(super) channels: Vec<Channel>,
+    pub(super) windows: Vec<Window>,
+    pub(super) controlled_variable: usize,
+    pub(super) manipulated_variable: Sum,
+    pub(super) load_estimate: Option<Sum>,
 }
 
 impl ClosedLoop {
     /// The loop of this process and this controller, observer included.
     #[must_use]
     pub fn new(process: &Process, controller: &Controller) -> Self {
+        if let Some(compensator) = controller.compensator() {
+            return compensated_loop(process, &compensator);
+        }
         let mut rates = Vec::new();
         let (y, y_rate) = process_states(&mut rates, process, process.process_gain(), 0);
         let mut u_pd = control_law(&mut rates, controller, y, &y_rate);
@@ -105,7 +122,8 @@ impl ClosedLoop {
             channels.push(Channel { delay, input: u_pd });
         }
         channels.insert(0, Channel { delay: process.dead_time(), input: u.clone().plus(Source::Load, 1.0) });
-        Self { rates, channels, controlled_variable: y, manipulated_variable: u, load_estimate }
+        let windows = Vec::new();
+        Self { rates, channels, windows, controlled_variable: y, manipulated_variable: u, load_estimate }
     }
 
     /// The rate of change of each state.
@@ -120,6 +138,12 @@ impl ClosedLoop {
         &self.channels
     }
 
+    /// The states that are integrals over a moving window.
+    #[must_use]
+    pub fn windows(&self) -> &[Window] {
+        &self.windows
+    }
+
     /// Index of the state that is the controlled variable y.
     #[must_use]
     pub fn controlled_variable(&self) -> usize {
@@ -132,7 +156,7 @@ impl ClosedLoop {
         &self.manipulated_variable
     }
 
-    /// The load estimate D̂ of the observer, where there is one.
+    /// The load estimate D̂ of the observer or compensator, where there is one.
     #[must_use]
     pub fn load_estimate(&self) -> Option<&Sum> {
         self.load_estimate.as_ref()
@@ -141,7 +165,12 @@ impl ClosedLoop {
 
 /// Appends the states of a process (or of its model) of gain `gain` fed by channel `channel`; returns the
 /// index of its output and the output's rate.
-fn process_states(rates: &mut Vec<Sum>, process: &Process, gain: f64, channel: usize) -> (usize, Sum) {
+pub(super) fn process_states(
+    rates: &mut Vec<Sum>,
+    process: &Process,
+    gain: f64,
+    channel: usize,
+) -> (usize, Sum) {
     let mut rate = Sum::default().plus(Source::Delayed(channel), gain);
     if let Some(lag) = process.lag() {
         let index = rates.len();

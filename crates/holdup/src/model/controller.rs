@@ -1,5 +1,6 @@
-//! The controller: P, PI, PD or PID in ideal form, with the observer where it has one.
+//! The controller: P, PI, PD or PID in ideal form, with the observer where it has one; or a dead-time compensator.
 
+use super::compensator::Compensator;
 use super::error::{ModelError, finite, non_zero, positive};
 use super::quantity::Seconds;
 
@@ -102,6 +103,10 @@ impl Observer {
 /// Terms that are absent are absent: no integral time means no integral action, no filter an unfiltered
 /// derivative. For negative feedback the proportional gain has the sign of the process gain.
 ///
+/// Instead of all that it may be a dead-time compensator, made by `Controller::from(compensator)`: then
+/// [`Controller::compensator`] says what it is, the proportional gain is that of its main control, the other
+/// terms are absent, and setting one is an error.
+///
 /// ```
 /// use holdup::model::{Controller, Seconds};
 /// let pid = Controller::proportional(2.95)?
@@ -121,6 +126,23 @@ pub struct Controller {
     derivative_setpoint_weight: f64,
     output_filter: Option<OutputFilter>,
     observer: Option<Observer>,
+    compensator: Option<Compensator>,
+}
+
+impl From<Compensator> for Controller {
+    fn from(compensator: Compensator) -> Self {
+        Self {
+            proportional_gain: compensator.main_gain(),
+            integral_time: None,
+            derivative_time: None,
+            derivative_filter: None,
+            setpoint_weight: 1.0,
+            derivative_setpoint_weight: 1.0,
+            output_filter: None,
+            observer: None,
+            compensator: Some(compensator),
+        }
+    }
 }
 
 impl Controller {
@@ -138,7 +160,14 @@ impl Controller {
             derivative_setpoint_weight: 1.0,
             output_filter: None,
             observer: None,
+            compensator: None,
         })
+    }
+
+    /// This controller, if it is a PID law, to which terms may be added.
+    fn pid(self, name: &'static str) -> Result<Self, ModelError> {
+        let reason = "is not a setting of a dead-time compensator";
+        if self.compensator.is_some() { Err(ModelError::Conflict { name, reason }) } else { Ok(self) }
     }
 
     /// The same controller with integral time Ti [s] > 0.
@@ -146,7 +175,8 @@ impl Controller {
     /// # Errors
     /// [`ModelError::OutOfRange`] if the time is not positive and finite.
     pub fn with_integral_time(self, integral_time: Seconds) -> Result<Self, ModelError> {
-        Ok(Self { integral_time: Some(positive("integral_time", integral_time.0)?), ..self })
+        let integral_time = positive("integral_time", integral_time.0)?;
+        Ok(Self { integral_time: Some(integral_time), ..self.pid("integral_time")? })
     }
 
     /// The same controller with derivative time Td [s] ≥ 0; a derivative time of 0 is no derivative action.
@@ -159,7 +189,7 @@ impl Controller {
             return Ok(Self { derivative_time: None, derivative_filter: None, ..self });
         }
         if td.is_finite() && td > 0.0 {
-            return Ok(Self { derivative_time: Some(td), ..self });
+            return Ok(Self { derivative_time: Some(td), ..self.pid("derivative_time")? });
         }
         Err(super::error::out_of_range("derivative_time", td, "a finite number, 0 or greater"))
     }
@@ -195,6 +225,9 @@ impl Controller {
     /// # Errors
     /// [`ModelError::OutOfRange`] if a weight is not finite.
     pub fn with_setpoint_weights(self, b: f64, c: f64) -> Result<Self, ModelError> {
+        if (b, c) != (1.0, 1.0) {
+            self.pid("setpoint_weight")?;
+        }
         Ok(Self {
             setpoint_weight: finite("setpoint_weight", b)?,
             derivative_setpoint_weight: finite("derivative_setpoint_weight", c)?,
@@ -211,13 +244,14 @@ impl Controller {
         if a2 != 0.0 {
             positive("output_filter.a2", a2)?;
         }
-        Ok(Self { output_filter: Some(OutputFilter { a1, a2 }), ..self })
+        Ok(Self { output_filter: Some(OutputFilter { a1, a2 }), ..self.pid("output_filter")? })
     }
 
-    /// The same controller with a disturbance observer beside it.
+    /// The same controller with a disturbance observer beside it. A dead-time compensator has its own and is returned
+    /// as it is.
     #[must_use]
     pub fn with_observer(self, observer: Observer) -> Self {
-        Self { observer: Some(observer), ..self }
+        Self { observer: self.compensator.is_none().then_some(observer), ..self }
     }
 
     /// The same controller without its observer.
@@ -226,7 +260,13 @@ impl Controller {
         Self { observer: None, ..self }
     }
 
-    /// Proportional gain Kc [input unit / output unit].
+    /// The dead-time compensator that this controller is, where it is one.
+    #[must_use]
+    pub fn compensator(&self) -> Option<Compensator> {
+        self.compensator
+    }
+
+    /// Proportional gain Kc [input unit / output unit]; of a compensator [`Compensator::main_gain`].
     #[must_use]
     pub fn proportional_gain(&self) -> f64 {
         self.proportional_gain
@@ -274,9 +314,13 @@ impl Controller {
         self.observer
     }
 
-    /// Name of the structure: `P`, `PI`, `PD` or `PID`, followed by `+DOB` with an observer.
+    /// Name of the structure: `P`, `PI`, `PD` or `PID`, followed by `+DOB` with an observer; of a dead-time
+    /// compensator [`Compensator::structure`].
     #[must_use]
     pub fn structure(&self) -> &'static str {
+        if let Some(compensator) = &self.compensator {
+            return compensator.structure();
+        }
         match (self.integral_time, self.derivative_time, self.observer) {
             (None, None, None) => "P",
             (Some(_), None, None) => "PI",
@@ -293,6 +337,9 @@ impl Controller {
     /// output unit]; `None` where it is infinite (an unfiltered derivative).
     #[must_use]
     pub fn noise_gain(&self) -> Option<f64> {
+        if let Some(compensator) = &self.compensator {
+            return Some(compensator.noise_gain());
+        }
         let pid = match (self.derivative_time, self.derivative_filter, self.output_filter) {
             (None, _, None) => self.proportional_gain,
             (Some(td), Some(filter), None) => self.proportional_gain * (1.0 + td * filter.bandwidth()),

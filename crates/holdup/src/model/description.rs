@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::compensator::Compensator;
 use super::controller::{Controller, DerivativeFilter};
 use super::error::ModelError;
 use super::process::Process;
@@ -35,10 +36,10 @@ pub struct ProcessDescription {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ControllerDescription {
-    /// `P`, `PI`, `PD` or `PID`, followed by `+DOB` with an observer; not read back.
+    /// [`Controller::structure`]; read back only of a dead-time compensator, which has `parameters`.
     #[serde(default)]
     pub structure: String,
-    /// Proportional gain Kc [input unit / output unit].
+    /// Proportional gain Kc [input unit / output unit]; of a compensator the gain of its main control, not read back.
     pub proportional_gain: f64,
     /// Integral time Ti [s].
     #[serde(default)]
@@ -70,7 +71,7 @@ pub struct ControllerDescription {
     /// Filter of the whole output.
     #[serde(default)]
     pub output_filter: Option<OutputFilterDescription>,
-    /// Further parameters; empty for the structures that need none.
+    /// The parameters of a dead-time compensator ([`Compensator::parameters`]); empty for a PID law.
     #[serde(default)]
     pub parameters: serde_json::Map<String, serde_json::Value>,
     /// The settings in the form of their source, where they come from a rule.
@@ -140,7 +141,10 @@ impl From<&Controller> for ControllerDescription {
             output_filter: controller
                 .output_filter()
                 .map(|filter| OutputFilterDescription { a1_s: filter.a1, a2_s2: filter.a2 }),
-            parameters: serde_json::Map::new(),
+            parameters: controller.compensator().map_or_else(serde_json::Map::new, |compensator| {
+                let named = compensator.parameters().into_iter();
+                named.map(|(name, value)| (name.to_owned(), value.into())).collect()
+            }),
             published: serde_json::Value::Null,
         }
     }
@@ -150,6 +154,9 @@ impl TryFrom<&ControllerDescription> for Controller {
     type Error = ModelError;
 
     fn try_from(description: &ControllerDescription) -> Result<Self, ModelError> {
+        if !description.parameters.is_empty() {
+            return compensator(description);
+        }
         ControllerSettings {
             proportional_gain: description.proportional_gain,
             integral_time: description.integral_time_s,
@@ -170,10 +177,33 @@ impl TryFrom<&ControllerDescription> for Controller {
     }
 }
 
+/// The compensator of a description with parameters; the terms of a PID law beside them are a contradiction.
+fn compensator(description: &ControllerDescription) -> Result<Controller, ModelError> {
+    let number = |(name, value): (&String, &serde_json::Value)| match value.as_f64() {
+        Some(number) => Ok((name.clone(), number)),
+        None => Err(ModelError::Conflict { name: "parameters", reason: "has a value that is not a number" }),
+    };
+    let parameters = description.parameters.iter().map(number).collect::<Result<Vec<_>, _>>()?;
+    let controller: Controller = Compensator::from_parameters(&description.structure, &parameters)?.into();
+    let same = ControllerDescription {
+        proportional_gain: description.proportional_gain,
+        published: description.published.clone(),
+        parameters: description.parameters.clone(),
+        ..ControllerDescription::from(&controller)
+    };
+    if same == *description {
+        Ok(controller)
+    } else {
+        let reason = "are those of a dead-time compensator: no term of a PID law can stand beside them";
+        Err(ModelError::Conflict { name: "parameters", reason })
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::model::notation::read_controller;
+    use crate::model::{CompensatorLaw, Seconds};
     use proptest::prelude::*;
 
     #[test]
@@ -197,6 +227,23 @@ mod tests {
             assert!(json.get(name).is_some(), "{name}");
         }
         assert!(json["integral_time_s"].is_null() && json["output_filter"].is_null());
+    }
+
+    #[test]
+    fn a_compensator_comes_back_from_json_and_takes_no_terms_beside_it() {
+        let law = CompensatorLaw::InverseModel { main_gain: 0.25, filter_time: 2.0 };
+        let controller = Controller::from(Compensator::new(law, 0.5, Seconds(3.0)).unwrap());
+        let mut json = serde_json::to_value(ControllerDescription::from(&controller)).unwrap();
+        assert_eq!(
+            (&json["structure"], &json["parameters"]["filter_time_s"]),
+            (&"P+inverse-DOB".into(), &2.0.into())
+        );
+        let read = |json: &serde_json::Value| {
+            Controller::try_from(&serde_json::from_value::<ControllerDescription>(json.clone()).unwrap())
+        };
+        assert_eq!(read(&json), Ok(controller));
+        json["integral_time_s"] = 3.0.into();
+        assert!(read(&json).unwrap_err().to_string().contains("no term of a PID law"));
     }
 
     proptest! {

@@ -16,9 +16,12 @@
 //! `integral_time_s`, `derivative_time_s`, `derivative_filter_bandwidth` or `filter_time_s`, `observer_gain`,
 //! `observer_model_gain`, `observer_model_dead_time_s`, `setpoint_weight`, `derivative_setpoint_weight`,
 //! `output_filter = { a1_s, a2_s2 }`, `form` (`ideal`, `series`, `parallel`; with parallel also
-//! `integral_gain` and `derivative_gain`).
+//! `integral_gain` and `derivative_gain`). A dead-time compensator has `structure` and `parameters = { … }` instead of
+//! all these, with the names of [`Compensator::parameters`].
 
+use super::compensator::Compensator;
 use super::controller::{Controller, DerivativeFilter};
+use super::error::ModelError;
 use super::forms::Form;
 use super::notation::read_form;
 use super::process::Process;
@@ -30,13 +33,15 @@ use super::toml_section::{Document, Section};
 const PROCESS_KEYS: [&str; 4] = ["process_gain", "dead_time_s", "lag_s", "integrators"];
 
 /// Keys of the table of a controller whose settings are given.
-const CONTROLLER_KEYS: [&str; 14] = [
+const CONTROLLER_KEYS: [&str; 16] = [
     "proportional_gain",
     "integral_time_s",
     "derivative_time_s",
     "integral_gain",
     "derivative_gain",
     "form",
+    "structure",
+    "parameters",
     "derivative_filter_bandwidth",
     "filter_time_s",
     "observer_gain",
@@ -47,8 +52,8 @@ const CONTROLLER_KEYS: [&str; 14] = [
     "output_filter",
 ];
 
-/// How many of [`CONTROLLER_KEYS`], from the front, are the three terms, which a rule gives.
-const TERMS: usize = 6;
+/// How many of [`CONTROLLER_KEYS`], from the front, are the law, which a rule gives.
+const TERMS: usize = 8;
 
 /// The keys that give the three terms: a rule takes their place.
 pub(crate) fn term_keys() -> &'static [&'static str] {
@@ -93,6 +98,12 @@ pub fn write_loop(process: &Process, controller: &Controller) -> String {
     push("lag_s", process.lag());
     push("integrators", (process.integrators() != 1).then(|| f64::from(process.integrators())));
     lines.push("\n[controller]".to_owned());
+    if let Some(compensator) = controller.compensator() {
+        let pairs = compensator.parameters().into_iter().map(|(name, value)| format!("{name} = {value:?}"));
+        let pairs = pairs.collect::<Vec<_>>().join(", ");
+        lines.push(format!("structure = {:?}\nparameters = {{ {pairs} }}", compensator.structure()));
+        return lines.join("\n") + "\n";
+    }
     let mut push =
         |key: &str, value: Option<f64>| lines.extend(value.map(|value| format!("{key} = {value:?}")));
     push("proportional_gain", Some(controller.proportional_gain()));
@@ -131,6 +142,9 @@ pub(crate) fn process_section(section: &Section<'_>) -> Result<Process, TextErro
 
 /// Reads the settings of a controller from a table whose keys are checked.
 pub(crate) fn controller_section(section: &Section<'_>) -> Result<Controller, TextError> {
+    if section.has("parameters") || section.has("structure") {
+        return compensator_section(section);
+    }
     let form = section.text("form")?.map_or(Ok(Form::Ideal), |text| read_form("form", &text));
     let settings = ControllerSettings {
         integral_time: section.number("integral_time_s")?,
@@ -142,6 +156,20 @@ pub(crate) fn controller_section(section: &Section<'_>) -> Result<Controller, Te
         proportional_gain: section.require_number("proportional_gain")?,
     };
     settings.controller().map_err(|error| section.model_error(&error, with_unit))
+}
+
+/// Reads a dead-time compensator, whose parameters leave no room for the terms of a PID law.
+fn compensator_section(section: &Section<'_>) -> Result<Controller, TextError> {
+    for key in CONTROLLER_KEYS.iter().filter(|key| !["structure", "parameters"].contains(key)) {
+        if section.has(key) {
+            let reason = "is not a setting of a dead-time compensator";
+            return Err(section.model_error(&ModelError::Conflict { name: key, reason }, |name| name));
+        }
+    }
+    let structure = section.text("structure")?.unwrap_or_default();
+    let parameters = section.named_numbers("parameters")?.unwrap_or_default();
+    let compensator = Compensator::from_parameters(&structure, &parameters);
+    compensator.map(Controller::from).map_err(|error| section.model_error(&error, |name| name))
 }
 
 /// Reads filters, weights and observer, which may also stand beside a rule.
@@ -184,7 +212,8 @@ pub(crate) fn with_unit(name: &'static str) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::notation::{read_controller, read_process};
+    use crate::model::notation::{read_controller, read_process, write_controller};
+    use crate::model::{CompensatorLaw, Lead, Seconds};
 
     const LOOP: &str = "# a level\n[process]\nprocess_gain = 0.0506\ndead_time_s = 6\n\n[controller]\nproportional_gain = 1.5321\nderivative_time_s = 1.0343\nderivative_filter_bandwidth = 100.0\nobserver_gain = 1.5321\n";
 
@@ -240,6 +269,26 @@ mod tests {
             let written =
                 (read_process("K=-1e-7,d=3,T=2,integrators=2").unwrap(), read_controller(text).unwrap());
             assert_eq!(read_loop(&write_loop(&written.0, &written.1)), Ok(written), "{text}");
+        }
+    }
+
+    #[test]
+    fn a_dead_time_compensator_reads_back_as_it_was_written_and_takes_no_terms_beside_it() {
+        let lead = Some(Lead { derivative_time: 0.4, filter_time: 0.04 });
+        for law in [
+            CompensatorLaw::ModifiedSmith { main_gain: 0.5, disturbance_gain: 0.2, lead: None },
+            CompensatorLaw::ModifiedSmith { main_gain: 0.5, disturbance_gain: 0.2, lead },
+            CompensatorLaw::TwoDegree { setpoint_time: 1.0, a1: 4.0, a2: 1e-7 },
+            CompensatorLaw::InverseModel { main_gain: -1e9, filter_time: 0.1 },
+            CompensatorLaw::DisturbanceRejection { controller_bandwidth: 0.3, observer_bandwidth: 0.5 },
+        ] {
+            let compensator = Compensator::new(law, 2.0, Seconds(3.0)).unwrap();
+            let written = (read_process("K=1,d=3").unwrap(), Controller::from(compensator));
+            let text = write_loop(&written.0, &written.1);
+            assert_eq!(read_loop(&text), Ok(written), "{text}");
+            let error = read_loop(&(text + "proportional_gain = 1.0\n")).unwrap_err().to_string();
+            assert!(error.contains("is not a setting of a dead-time compensator"), "{error}");
+            assert!(read_controller(&write_controller(&written.1)).is_err());
         }
     }
 }

@@ -1,6 +1,9 @@
 //! What is controlled, and by what: process, controller with its observer, and the closed loop they make.
 
 pub mod closed_loop;
+mod compensated_loop;
+pub mod compensator;
+mod compensator_settings;
 pub mod controller;
 pub mod description;
 mod error;
@@ -15,6 +18,7 @@ pub mod text;
 pub(crate) mod toml_section;
 
 pub use closed_loop::ClosedLoop;
+pub use compensator::{Compensator, CompensatorLaw, Lead};
 pub use controller::{Controller, DerivativeFilter, Observer, OutputFilter};
 pub use error::ModelError;
 pub use process::Process;

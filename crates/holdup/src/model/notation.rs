@@ -143,8 +143,16 @@ pub fn write_process(process: &Process) -> String {
 }
 
 /// Writes a controller in compact notation; reading it back gives the same controller.
+///
+/// The notation has no keys for dead-time compensators: of one, this is its structure and its parameters in
+/// parentheses, for reading; [`read_controller`] refuses it.
 #[must_use]
 pub fn write_controller(controller: &Controller) -> String {
+    if let Some(compensator) = controller.compensator() {
+        let parameters = compensator.parameters();
+        let pairs: Vec<String> = parameters.iter().map(|(name, value)| format!("{name}={value}")).collect();
+        return format!("{}({})", compensator.structure(), pairs.join(","));
+    }
     let mut text = format!("Kc={}", controller.proportional_gain());
     let mut push = |key: &str, value: Option<f64>| {
         if let Some(value) = value {

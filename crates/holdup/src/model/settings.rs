@@ -146,6 +146,9 @@ impl Extras {
             (None, Some(tf)) => controller = controller.with_filter_time(Seconds(tf))?,
             (None, None) => {}
         }
+        if controller.compensator().is_some() && self.observer_gain.is_some() {
+            return conflict("observer_gain", "is not a setting of a dead-time compensator: it has its own");
+        }
         let observer = match (self.observer_gain, controller.observer()) {
             (Some(gain), _) => Some(Observer::new(gain)?),
             (None, given) => given,

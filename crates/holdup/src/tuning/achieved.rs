@@ -51,9 +51,9 @@ pub(super) fn achieved(name: &str, process: &Process, controller: &Controller) -
 }
 
 /// The rightmost closed-loop pole that Newton's method finds from a grid of starts, with imaginary part ≥ 0
-/// [1/s]; of a loop without observer. Not proven to be the rightmost: good for a published damping, not for a proof.
+/// [1/s]; of a PID loop without observer. Not proven to be the rightmost: good for a published damping, not for a proof.
 fn dominant_pole(process: &Process, controller: &Controller) -> Option<Complex64> {
-    if controller.observer().is_some() {
+    if controller.observer().is_some() || controller.compensator().is_some() {
         return None;
     }
     let time = process.dead_time() + process.lag().unwrap_or(0.0);

@@ -194,6 +194,8 @@ pub enum Form {
     SeriesOutputFilter,
     /// `Kc·(1 + 1/(Ti·s))·(1 + Td·s)/(Tf·s + 1)`: the lead of the series form filtered.
     SeriesFilteredLead,
+    /// A dead-time compensator with a model of the process; its page has the law.
+    Compensator,
 }
 
 impl Form {
@@ -208,6 +210,7 @@ impl Form {
                 "series with output filter: Kc (1 + 1/(Ti s)) (1 + Td s) / (Tf s + 1)"
             }
             Self::SeriesFilteredLead => "series with filtered lead: Kc (1 + 1/(Ti s)) (1 + Td s)/(Tf s + 1)",
+            Self::Compensator => "dead-time compensator with the model K exp(-d s)/s",
         }
     }
 }
@@ -303,6 +306,8 @@ pub enum Unit {
     RadianPerSecond,
     /// Seconds squared.
     SecondSquared,
+    /// Per second.
+    PerSecond,
     /// Per second squared.
     PerSecondSquared,
 }
@@ -320,6 +325,7 @@ impl Unit {
             Self::Gain => "input/output unit",
             Self::RadianPerSecond => "rad/s",
             Self::SecondSquared => "s²",
+            Self::PerSecond => "1/s",
             Self::PerSecondSquared => "1/s²",
         }
     }

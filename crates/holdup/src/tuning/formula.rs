@@ -4,7 +4,7 @@ use super::entry::{Entry, Form, Unit};
 use super::error::RuleError;
 use super::parameters::Values;
 use super::{Published, Setting, Tuning};
-use crate::model::{Controller, ModelError, Observer, Process, Seconds};
+use crate::model::{Compensator, CompensatorLaw, Controller, ModelError, Observer, Process, Seconds};
 
 /// The names of settings; every other name of a formula is an intermediate value.
 const SETTINGS: [(&str, Unit); 11] = [
@@ -53,6 +53,38 @@ pub fn from_settings(entry: &'static Entry, values: &Values<'_>) -> Result<Tunin
     Ok(Tuning {
         published: Published { form: entry.form.text(), settings: settings.collect() },
         ..Tuning::new(entry.id, controller, values.specification())
+    })
+}
+
+/// The tuning of a rule for a dead-time compensator, with a model that is the process: evaluates the formulas of the
+/// entry and makes the law of the settings named; gains come to it with the sign of the process gain.
+///
+/// # Errors
+/// [`RuleError`] if a formula has no value or the settings are no compensator.
+pub fn compensated(
+    entry: &'static Entry,
+    process: &Process,
+    values: &Values<'_>,
+    names: &[(&'static str, Unit)],
+    law: fn(&dyn Fn(&str) -> f64) -> CompensatorLaw,
+) -> Result<Tuning, RuleError> {
+    let mut values = values.clone();
+    for (name, formula) in entry.formula {
+        values.compute(name, formula)?;
+    }
+    let mut settings = Vec::with_capacity(names.len());
+    for &(name, unit) in names {
+        let sign = if unit == Unit::Gain { values.sign() } else { 1.0 };
+        settings.push(Setting { name, value: values.get(name)? * sign, unit: unit.symbol() });
+    }
+    let setting =
+        |name: &str| settings.iter().find(|setting| setting.name == name).map_or(f64::NAN, |s| s.value);
+    let dead_time = Seconds(process.dead_time());
+    let compensator = Compensator::new(law(&setting), process.process_gain(), dead_time)
+        .map_err(|error| RuleError::Setting { rule: entry.id, error })?;
+    Ok(Tuning {
+        published: Published { form: entry.form.text(), settings },
+        ..Tuning::new(entry.id, compensator.into(), values.specification())
     })
 }
 

@@ -25,7 +25,7 @@ pub(super) struct Characteristic {
     pub(super) denominator: QuasiPolynomial,
     /// Δ = N + D, whose zeros are the closed-loop poles.
     pub(super) closed: QuasiPolynomial,
-    /// Number of states: the degree of Δ.
+    /// The degree of Δ: the number of states that are not windows.
     pub(super) order: usize,
     /// |L(j∞)|: the sum of the moduli of the leading coefficients of N.
     pub(super) high_frequency_gain: f64,
@@ -37,6 +37,7 @@ impl Characteristic {
         if states > MAX_STATES || channels > MAX_CHANNELS || channels == 0 {
             return Err(FrequencyError::TooLarge { states, channels });
         }
+        let windows = closed_loop.windows().len();
         let dead_time = closed_loop.channels()[0].delay;
         let matrix = Matrix::new(closed_loop, dead_time);
         let mut expansion = [[0.0; MAX_STATES + 1]; 1 << MAX_CHANNELS];
@@ -53,7 +54,9 @@ impl Characteristic {
                 .filter(|(channel, _)| delayed & (1 << channel) != 0)
                 .fold(0.0, |sum, (_, c)| sum + c.delay / dead_time);
             let open = if delayed & 1 == 0 { &mut denominator } else { &mut numerator };
-            for (power, &value) in coefficients.iter().enumerate() {
+            // The factor s of every window is divided out. What stands below it is the rounding of a cancellation: the
+            // input of a window drops out of the equations at s = 0.
+            for (power, &value) in coefficients[windows..].iter().enumerate() {
                 in_reach("a coefficient of the characteristic equation", value)?;
                 open.add_to(delay, power, value);
                 closed.add_to(delay, power, value);
@@ -68,9 +71,10 @@ impl Characteristic {
             return Err(FrequencyError::OutOfReach { quantity: "the loop gain over one dead time", value });
         }
         in_reach("the longest delay", closed.longest_delay())?;
-        let leading = |(_, p): &(f64, Polynomial)| p.coefficient(states).abs();
+        let order = states - windows;
+        let leading = |(_, p): &(f64, Polynomial)| p.coefficient(order).abs();
         let high_frequency_gain = numerator.terms().iter().map(leading).sum();
-        Ok(Self { dead_time, numerator, denominator, closed, order: states, high_frequency_gain })
+        Ok(Self { dead_time, numerator, denominator, closed, order, high_frequency_gain })
     }
 }
 

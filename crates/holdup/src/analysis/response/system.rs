@@ -95,7 +95,17 @@ impl System {
         let output = closed_loop.controlled_variable();
         let input_is_manipulated =
             inputs[0].states == manipulated.states && inputs[0].delayed == manipulated.delayed;
-        let solve = |setpoint, load| equilibrium(&rates, &inputs, setpoint, load);
+        // At rest the rate of a window is 0 whatever it holds; what it holds is its input times its length.
+        let mut at_rest = rates.clone();
+        for window in closed_loop.windows() {
+            let length = closed_loop.channels()[window.channel].delay;
+            at_rest[window.state] = Row {
+                states: vec![(window.state, 1.0)],
+                delayed: vec![(window.channel, -length)],
+                ..Row::default()
+            };
+        }
+        let solve = |setpoint, load| equilibrium(&at_rest, &inputs, setpoint, load);
         let points = solve(1.0, 0.0).zip(solve(0.0, 1.0));
         let has_rest = points.is_some();
         let n = rates.len();

@@ -8,7 +8,9 @@ mod dipdt_pd_dalen_di_ruscio;
 mod dipdt_pd_mrdp;
 mod dipdt_pid_simc;
 mod dob_exact;
+mod dob_huba_p;
 mod dob_kadam;
+mod dob_zhong_normey_rico;
 mod ifopdt_p_huba_zakova;
 mod ifopdt_pd_haalman;
 mod ifopdt_pi_huba_zakova;
@@ -18,6 +20,9 @@ mod ifopdt_pi_shinskey;
 mod ifopdt_pid_imc_o;
 mod ifopdt_pid_mcmillan;
 mod ifopdt_pid_simc;
+mod ladrc1;
+mod msp_matausek_micic_1996;
+mod msp_matausek_micic_1999;
 mod p_chr_servo0;
 mod p_haalman;
 mod p_labview;
@@ -115,6 +120,8 @@ mod pid_zn_no_overshoot;
 mod pid_zn_reaction;
 mod pid_zn_some_overshoot;
 mod pid_zn_ultimate;
+mod sp_astrom_hang_lim;
+mod sp_fsp_normey_rico;
 
 /// Every rule.
 #[rustfmt::skip]
@@ -123,7 +130,9 @@ pub(super) static REGISTRY: &[&Entry] = &[
     &dipdt_pd_mrdp::ENTRY,
     &dipdt_pid_simc::ENTRY,
     &dob_exact::ENTRY,
+    &dob_huba_p::ENTRY,
     &dob_kadam::ENTRY,
+    &dob_zhong_normey_rico::ENTRY,
     &ifopdt_p_huba_zakova::ENTRY,
     &ifopdt_pd_haalman::ENTRY,
     &ifopdt_pi_huba_zakova::ENTRY,
@@ -133,6 +142,9 @@ pub(super) static REGISTRY: &[&Entry] = &[
     &ifopdt_pid_imc_o::ENTRY,
     &ifopdt_pid_mcmillan::ENTRY,
     &ifopdt_pid_simc::ENTRY,
+    &ladrc1::ENTRY,
+    &msp_matausek_micic_1996::ENTRY,
+    &msp_matausek_micic_1999::ENTRY,
     &p_chr_servo0::ENTRY,
     &p_haalman::ENTRY,
     &p_labview::ENTRY,
@@ -230,4 +242,6 @@ pub(super) static REGISTRY: &[&Entry] = &[
     &pid_zn_reaction::ENTRY,
     &pid_zn_some_overshoot::ENTRY,
     &pid_zn_ultimate::ENTRY,
+    &sp_astrom_hang_lim::ENTRY,
+    &sp_fsp_normey_rico::ENTRY,
 ];
