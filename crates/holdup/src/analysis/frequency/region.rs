@@ -89,7 +89,8 @@ pub struct Curve {
 pub struct Level {
     /// The quantity and its value.
     pub constant: Constant,
-    /// The curves: at every vertex the quantity has the value to 1e-9.
+    /// The curves: at every vertex the quantity has the value to a relative 1e-9. They end within 1e-4 of the
+    /// window's sides, or where the quantity jumps; a curve smaller than a fortieth of the window may be missed.
     pub curves: Vec<Vec<Vertex>>,
 }
 
@@ -174,13 +175,17 @@ pub fn region(
         constant.check()?;
     }
     let settings = Settings::new(process, controller, plane, window);
-    let curves = |&constant| Level { constant, curves: level::curves(&settings, constant) };
+    let survey = (!levels.is_empty()).then(|| level::Survey::new(&settings));
+    let curves = |survey: &level::Survey, constant| Level {
+        constant,
+        curves: level::curves(&settings, survey, constant),
+    };
     Ok(Region {
         plane,
         x: "proportional_gain",
         y: plane.other(),
         boundary: boundary::curves(&settings)?,
-        levels: levels.iter().map(curves).collect(),
+        levels: survey.iter().flat_map(|s| levels.iter().map(|&constant| curves(s, constant))).collect(),
     })
 }
 

@@ -15,6 +15,9 @@ const FARTHEST: f64 = 50.0;
 /// Distance from the curve at which stability is asked for, as a share of the window.
 const BESIDE: f64 = 1e-6;
 
+/// Distance of neighbouring vertices, as a share of the window.
+const APART: f64 = 0.01;
+
 /// A curve in the plane along a parameter.
 struct Path<'a> {
     crossing: Crossing,
@@ -29,14 +32,22 @@ pub(super) fn curves(settings: &Settings) -> Result<Vec<Curve>, FrequencyError> 
     if settings.plane == Plane::KcKo && perfect(settings) {
         paths.extend(factors(settings)?);
     } else {
-        paths.extend((0..2).map(|branch| along_frequency(settings, branch)));
+        let mut dense = Vec::new();
+        if settings.plane == Plane::KcKo {
+            let [law, observer] = factor_loops(settings);
+            for closed in law.iter().chain(&observer) {
+                dense.extend(critical(closed)?.iter().map(|(omega, _)| *omega));
+            }
+        }
+        paths.extend((0..2).map(|branch| along_frequency(settings, branch, &dense)));
     }
     paths.extend(neutral(settings)?);
     Ok(paths.iter().flat_map(|path| pieces(settings, path)).collect())
 }
 
-/// The curve on which jω is a pole.
-fn along_frequency<'a>(settings: &'a Settings<'a>, branch: usize) -> Path<'a> {
+/// The curve on which jω is a pole. Where the observer's model is nearly the process it exists only next to the
+/// frequencies `dense`.
+fn along_frequency<'a>(settings: &'a Settings<'a>, branch: usize, dense: &[f64]) -> Path<'a> {
     let d = settings.process.dead_time();
     let at = move |omega: f64| {
         let [x, y] = At::new(settings, omega).points()[branch]?;
@@ -45,11 +56,13 @@ fn along_frequency<'a>(settings: &'a Settings<'a>, branch: usize) -> Path<'a> {
     // Evenly from 0.02 on, before that evenly in the logarithm.
     let near = (0..200).map(|i| 0.02 * 10.0_f64.powf(-0.03 * f64::from(200 - i)));
     let far = (0..2500).map(|i| 0.02 + (FARTHEST - 0.02) * f64::from(i) / 2499.0);
-    Path {
-        crossing: Crossing::ImaginaryAxis,
-        at: Box::new(at),
-        samples: near.chain(far).map(|w| w / d).collect(),
+    let mut samples: Vec<f64> = near.chain(far).map(|omega| omega / d).collect();
+    for &omega in dense.iter().filter(|&&omega| omega * d < FARTHEST) {
+        let apart = (2..28).map(|i| 10.0_f64.powf(-0.5 * f64::from(i)));
+        samples.extend(apart.flat_map(|share| [omega * (1.0 - share), omega * (1.0 + share)]));
     }
+    samples.sort_by(f64::total_cmp);
+    Path { crossing: Crossing::ImaginaryAxis, at: Box::new(at), samples }
 }
 
 /// Whether the observer's model is the process.
@@ -60,17 +73,23 @@ fn perfect(settings: &Settings) -> bool {
         && same(observer.and_then(|o| o.model_dead_time()), process.dead_time())
 }
 
+/// The loop without the observer for a gain of modulus 1, and the loop of a perfect observer of gain 1.
+fn factor_loops(settings: &Settings) -> [Option<ClosedLoop>; 2] {
+    let law = settings.with_gain(settings.sign).map(Controller::without_observer);
+    let observer = Controller::proportional(settings.sign).ok();
+    [law, observer].map(|controller| controller.map(|c| ClosedLoop::new(settings.process, &c)))
+}
+
 /// Where 1 + L is a product of a factor with Kc and one with Ko: lines at the critical gains of each.
 fn factors<'a>(settings: &'a Settings<'a>) -> Result<Vec<Path<'a>>, FrequencyError> {
-    let Some(law) = settings.with_gain(settings.sign) else { return Ok(Vec::new()) };
+    let [law, observer] = factor_loops(settings);
     let mut paths = Vec::new();
-    for (omega, gain) in critical(&ClosedLoop::new(settings.process, &law.without_observer()))? {
+    for (omega, gain) in law.as_ref().map(critical).transpose()?.unwrap_or_default() {
         let x = settings.sign * gain;
         let at = move |v: f64| Some(Vertex { x, y: settings.point([0.0, v])[1], frequency: Some(omega) });
         paths.push(line(Crossing::ImaginaryAxis, at));
     }
-    let Ok(proportional) = Controller::proportional(settings.sign) else { return Ok(paths) };
-    for (omega, gain) in critical(&ClosedLoop::new(settings.process, &proportional))? {
+    for (omega, gain) in observer.as_ref().map(critical).transpose()?.unwrap_or_default() {
         let y = settings.sign * gain;
         let at = move |u: f64| Some(Vertex { x: settings.point([u, 0.0])[0], y, frequency: Some(omega) });
         paths.push(line(Crossing::ImaginaryAxis, at));
@@ -114,7 +133,7 @@ fn pieces(settings: &Settings, path: &Path) -> Vec<Curve> {
     let mut curves = Vec::new();
     let mut open: Vec<Vertex> = Vec::new();
     let mut before: Option<f64> = None;
-    for &t in &path.samples {
+    for t in refined(settings, path) {
         let vertex = bounds(t);
         match (vertex, before) {
             (Some(vertex), Some(before)) => {
@@ -137,6 +156,34 @@ fn pieces(settings: &Settings, path: &Path) -> Vec<Curve> {
     }
     curves.retain(|curve| curve.vertices.len() > 1);
     curves
+}
+
+/// The samples of a path with others between, so that neighbours in the window are near each other and the
+/// path is followed to where it leaves the window or ends.
+fn refined(settings: &Settings, path: &Path) -> Vec<f64> {
+    let within = |t: f64| {
+        let point = (path.at)(t).map(|v| settings.square([v.x, v.y]))?;
+        point.iter().all(|c| (0.0..=1.0).contains(c)).then_some(point)
+    };
+    let mut all = Vec::with_capacity(path.samples.len());
+    all.extend(path.samples.first());
+    for pair in path.samples.windows(2) {
+        let mut stack = vec![(pair[0], pair[1], 0)];
+        while let Some((a, b, depth)) = stack.pop() {
+            let split = match (within(a), within(b)) {
+                (Some(p), Some(q)) => (p[0] - q[0]).hypot(p[1] - q[1]) > APART,
+                (None, None) => false,
+                _ => true,
+            };
+            let middle = f64::midpoint(a, b);
+            if split && depth < 45 && middle > a && middle < b {
+                stack.extend([(middle, b, depth + 1), (a, middle, depth + 1)]);
+            } else {
+                all.push(b);
+            }
+        }
+    }
+    all
 }
 
 /// The last point between a parameter `inside` that bounds and one `outside` that does not.

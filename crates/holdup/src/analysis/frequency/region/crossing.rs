@@ -4,6 +4,7 @@ use num_complex::Complex;
 
 use super::Plane;
 use super::plane::Settings;
+use crate::model::DerivativeFilter;
 
 /// Process, controller and observer at one frequency.
 pub(super) struct At<'a> {
@@ -29,7 +30,7 @@ impl<'a> At<'a> {
         let model_gain = observer.and_then(|o| o.model_gain()).unwrap_or(gain);
         let model_dead_time = observer.and_then(|o| o.model_dead_time()).unwrap_or(dead_time);
         let filter = controller.output_filter().map_or(one, |f| one / (one + s * f.a1 + s * s * f.a2));
-        let tf = controller.derivative_filter().map_or(0.0, crate::model::DerivativeFilter::time);
+        let tf = controller.derivative_filter().map_or(0.0, DerivativeFilter::time);
         Self {
             settings,
             omega,

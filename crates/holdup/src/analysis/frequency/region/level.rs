@@ -5,6 +5,7 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
+use super::super::margins::Margins;
 use super::plane::Settings;
 use super::{Constant, Vertex};
 
@@ -20,13 +21,46 @@ const POINTS: i32 = 48;
 /// Vertices of one curve.
 const MOST: usize = 2000;
 
+/// The margins along lines across the window, horizontal ones first: computed once for all levels.
+pub(super) struct Survey(Vec<(Line, Vec<Option<Margins>>)>);
+
+/// A line across the window.
+#[derive(Clone, Copy)]
+struct Line {
+    vertical: bool,
+    at: f64,
+}
+
+impl Line {
+    fn point(self, t: f64) -> [f64; 2] {
+        if self.vertical { [self.at, t] } else { [t, self.at] }
+    }
+}
+
+/// Place of a point on its line.
+fn place(i: i32) -> f64 {
+    (f64::from(i) + 0.5) / f64::from(POINTS)
+}
+
+impl Survey {
+    pub(super) fn new(settings: &Settings) -> Self {
+        let lines = (0..LINES).flat_map(|i| {
+            let at = (f64::from(i) + 0.5) / f64::from(LINES);
+            [false, true].map(|vertical| Line { vertical, at })
+        });
+        let margins = |line: Line| {
+            (0..POINTS).map(|i| settings.margins(settings.point(line.point(place(i))))).collect()
+        };
+        Self(lines.map(|line| (line, margins(line))).collect())
+    }
+}
+
 /// The curves of a level within the window.
-pub(super) fn curves(settings: &Settings, constant: Constant) -> Vec<Vec<Vertex>> {
+pub(super) fn curves(settings: &Settings, survey: &Survey, constant: Constant) -> Vec<Vec<Vertex>> {
     let tracer = Tracer { settings, constant };
     let mut found: Vec<Vec<[f64; 2]>> = Vec::new();
-    for line in 0..LINES {
-        let across = (f64::from(line) + 0.5) / f64::from(LINES);
-        for seed in tracer.seeds(|t| [t, across]).into_iter().chain(tracer.seeds(|t| [across, t])) {
+    for (line, margins) in &survey.0 {
+        for seed in tracer.seeds(*line, margins) {
             let known = found.iter().flatten().any(|p| distance(*p, seed) < 1.1 * STEP);
             if !known {
                 found.extend(tracer.trace(seed));
@@ -46,9 +80,13 @@ struct Tracer<'a> {
 }
 
 impl Tracer<'_> {
-    /// How much more robust the loop is than the level asks for, and whether it is on the level.
+    /// How much more robust the loop at a point is than the level asks for, and whether it is on the level.
     fn excess(&self, point: [f64; 2]) -> (f64, bool) {
-        let margins = self.settings.margins(self.settings.point(point));
+        self.excess_of(self.settings.margins(self.settings.point(point)).as_ref())
+    }
+
+    /// The same of the margins there; `None` where the loop is not stable.
+    fn excess_of(&self, margins: Option<&Margins>) -> (f64, bool) {
         let (value, level) = match self.constant {
             // In terms that tend to their value at the boundary of stability.
             Constant::SensitivityPeak(level) => {
@@ -67,14 +105,14 @@ impl Tracer<'_> {
     }
 
     /// Points of the level on a line across the window.
-    fn seeds(&self, line: impl Fn(f64) -> [f64; 2]) -> Vec<[f64; 2]> {
-        let at = |i: i32| (f64::from(i) + 0.5) / f64::from(POINTS);
-        let values: Vec<f64> = (0..POINTS).map(|i| self.excess(line(at(i))).0).collect();
+    fn seeds(&self, line: Line, margins: &[Option<Margins>]) -> Vec<[f64; 2]> {
+        let values: Vec<f64> = margins.iter().map(|m| self.excess_of(m.as_ref()).0).collect();
+        let along = |t: f64| line.point(t);
         (1..POINTS)
             .zip(values.windows(2))
             .filter(|(_, pair)| (pair[0] < 0.0) != (pair[1] < 0.0))
-            .filter_map(|(i, pair)| self.root(&line, (at(i - 1), pair[0]), (at(i), pair[1])))
-            .map(&line)
+            .filter_map(|(i, pair)| self.root(&along, (place(i - 1), pair[0]), (place(i), pair[1])))
+            .map(along)
             .collect()
     }
 

@@ -133,3 +133,50 @@ fn settings_out_of_range_are_named() {
     let error = region(&plain(), &p(), Plane::KcTi, window, &[Constant::GainMargin(0.5)]).unwrap_err();
     assert!(error.to_string().contains("above 1"));
 }
+
+/// Every change of the verdict between neighbours of a grid has a boundary vertex within a cell.
+fn assert_complete(process: &Process, controller: &Controller, plane: Plane, window: [f64; 2]) {
+    let window = Window { proportional_gain: window[0], other: window[1] };
+    let settings = Settings::new(process, controller, plane, window);
+    let found = region(process, controller, plane, window, &[]).unwrap();
+    let all: Vec<[f64; 2]> =
+        found.boundary.iter().flat_map(|c| &c.vertices).map(|v| settings.square([v.x, v.y])).collect();
+    let cell = 1.0 / 37.0;
+    let at = |i: i32, l: i32| [(f64::from(i) + 0.4) * cell, (f64::from(l) + 0.6) * cell];
+    let stable = |p: [f64; 2]| settings.stable(settings.point(p));
+    let mut changes = 0;
+    for i in 0..36 {
+        for l in 0..36 {
+            for other in [at(i + 1, l), at(i, l + 1)] {
+                let here = at(i, l);
+                if stable(here) != stable(other) {
+                    changes += 1;
+                    let near = all.iter().any(|p| (p[0] - here[0]).hypot(p[1] - here[1]) < 1.2 * cell);
+                    assert!(near, "{plane:?}: no boundary next to {:?}", settings.point(here));
+                }
+            }
+        }
+    }
+    assert!(changes > 10, "{plane:?}: {changes}");
+}
+
+#[test]
+fn nothing_of_the_boundary_is_missing() {
+    let (plain, lag) = (plain(), plain().with_lag(Seconds(0.7)).unwrap());
+    let double = Process::double_integrating(0.5, Seconds(1.0)).unwrap();
+    let td = |td: f64| p().with_derivative_time(Seconds(td)).unwrap();
+    let ti = |c: Controller, ti: f64| c.with_integral_time(Seconds(ti)).unwrap();
+    let model = |km: f64, dm: f64| {
+        let observer = Observer::new(0.3).unwrap().with_model_gain(km).unwrap();
+        observer.with_model_dead_time(Seconds(dm)).unwrap()
+    };
+    assert_complete(&plain, &td(1.2), Plane::KcTi, [1.5, 8.0]);
+    assert_complete(&plain, &p().with_observer(model(1.3, 0.8)), Plane::KcTi, [1.5, 20.0]);
+    assert_complete(&plain, &ti(p(), 0.9), Plane::KcTd, [2.0, 4.0]);
+    assert_complete(&plain, &td(0.5).with_filter_bandwidth(8.0).unwrap(), Plane::KcTd, [2.0, 4.0]);
+    assert_complete(&lag, &ti(td(0.5), 6.0), Plane::KcTd, [4.0, 6.0]);
+    assert_complete(&double, &td(4.0), Plane::KcTi, [0.5, 40.0]);
+    assert_complete(&plain, &td(0.3).with_observer(model(1.2, 1.0)), Plane::KcKo, [2.5, 2.5]);
+    assert_complete(&plain, &td(0.3).with_observer(model(0.9, 1.3)), Plane::KcKo, [2.5, 2.5]);
+    assert_complete(&plain, &ti(p(), 8.0).with_observer(model(1.0, 1.01)), Plane::KcKo, [2.5, 2.5]);
+}
