@@ -34,11 +34,15 @@ pub fn markdown(atlas: &Atlas) -> String {
         }
         // Writing to a string cannot fail.
         let _ = write!(text, "\n## {}\n\n| rule | structure | source |", process_words(applies));
-        FIGURES.iter().for_each(|name| text += &format!(" {name} |"));
+        for name in FIGURES {
+            text += &format!(" {name} |");
+        }
         text += " published | provenance | status |\n|---|---|---|";
         text += &"--:|".repeat(FIGURES.len());
         text += "---|---|---|\n";
-        rules.iter().for_each(|rule| text += &row(rule));
+        for rule in rules {
+            text += &row(rule);
+        }
     }
     let reasons: Vec<String> = atlas.rules.iter().filter_map(reason).collect();
     if !reasons.is_empty() {
