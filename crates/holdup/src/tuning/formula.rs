@@ -56,8 +56,8 @@ pub fn from_settings(entry: &'static Entry, values: &Values<'_>) -> Result<Tunin
     })
 }
 
-/// Makes the law of a compensator from its settings by name.
-pub(super) type LawOfSettings = fn(&dyn Fn(&str) -> f64) -> CompensatorLaw;
+/// How a rule makes a compensator of its settings, which it looks up by name.
+pub type CompensatorOf = fn(&dyn Fn(&str) -> f64) -> CompensatorLaw;
 
 /// The tuning of a rule for a dead-time compensator, with a model that is the process: evaluates the formulas of the
 /// entry and makes the law of the settings named; gains come to it with the sign of the process gain.
@@ -69,7 +69,7 @@ pub fn compensated(
     process: &Process,
     values: &Values<'_>,
     names: &[(&'static str, Unit)],
-    law: LawOfSettings,
+    law: CompensatorOf,
 ) -> Result<Tuning, RuleError> {
     let mut values = values.clone();
     for (name, formula) in entry.formula {

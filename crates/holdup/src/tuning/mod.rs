@@ -34,7 +34,7 @@ mod specification;
 pub use entry::{Applies, Default, Entry, Form, Law, Parameter, Provenance, Status, Unit};
 pub use error::{Infeasible, RuleError};
 pub use expression::{ExpressionError, evaluate};
-pub use formula::{by_formula, compensated, from_settings};
+pub use formula::{CompensatorOf, by_formula, compensated, from_settings};
 pub use parameters::{Parameters, Values};
 pub use published::Judgement;
 pub use specification::{Property, Specification};
