@@ -13,7 +13,7 @@ use crate::model::{ClosedLoop, Controller};
 const FARTHEST: f64 = 50.0;
 
 /// Distance from the curve at which stability is asked for, as a share of the window.
-const BESIDE: f64 = 1e-6;
+const BESIDE: f64 = 1e-8;
 
 /// Distance of neighbouring vertices, as a share of the window.
 const APART: f64 = 0.01;
@@ -221,7 +221,7 @@ fn bounding(settings: &Settings, path: &Path, t: f64) -> Option<Vertex> {
         return None;
     }
     // Settings are positive: near an axis the points on either side are nearer to the curve.
-    let beside = BESIDE.min(0.1 * u.max(1e-12)).min(if v > 0.0 { 0.1 * v } else { BESIDE });
+    let beside = BESIDE.min(0.1 * u.max(1e-14)).min(if v > 0.0 { 0.1 * v } else { BESIDE });
     let side = |sign: f64| {
         let point = [u - sign * beside * dv / length, v + sign * beside * du / length];
         settings.stable(settings.point([point[0], point[1].max(0.0)]))

@@ -180,3 +180,19 @@ fn nothing_of_the_boundary_is_missing() {
     assert_complete(&plain, &td(0.3).with_observer(model(0.9, 1.3)), Plane::KcKo, [2.5, 2.5]);
     assert_complete(&plain, &ti(p(), 8.0).with_observer(model(1.0, 1.01)), Plane::KcKo, [2.5, 2.5]);
 }
+
+#[test]
+fn gain_rising_to_its_limit_bounds_the_region_at_infinite_frequency() {
+    let pd = p().with_derivative_time(Seconds(20.0)).unwrap();
+    let region = of(&pd, Plane::KcTi, [0.1, 400.0], &[]);
+    let limit = region.boundary.iter().find(|c| c.crossing == Crossing::InfiniteFrequency).unwrap();
+    // K·Kc·Td = 1 while |L|² = 1 + (1 − 2·Td/Ti)·Kc²/ω² + … rises to its limit; above Ti = 2·Td it falls to it.
+    assert!(limit.vertices.iter().all(|v| (v.x - 0.05).abs() < 1e-15 && v.frequency.is_none()));
+    let highest = limit.vertices.iter().map(|v| v.y).fold(0.0, f64::max);
+    assert!(highest < 40.1 && highest > 36.0, "{highest}");
+    let top = region.boundary.iter().flat_map(|c| &c.vertices).map(|v| v.y).fold(0.0, f64::max);
+    assert!(top > 399.0 && top <= 400.0, "{top}");
+    let json = serde_json::to_value(&region).unwrap();
+    assert_eq!((&json["plane"], &json["y"]), (&"kc-ti".into(), &"integral_time_s".into()));
+    assert_eq!(json["boundary"].as_array().unwrap().len(), region.boundary.len());
+}
