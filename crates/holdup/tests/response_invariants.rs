@@ -162,8 +162,9 @@ fn trajectories_do_not_depend_on_the_order_or_number_of_times_and_are_right_cont
     let few = [dense[7777], dense[1000], dense[10_000], dense[1601], dense[999]];
     let some = trajectory(&closed, &step, &few).unwrap();
     for (i, index) in [7777, 1000, 10_000, 1601, 999].into_iter().enumerate() {
-        assert_eq!(some.controlled_variable[i], all.controlled_variable[index]);
-        assert_eq!(some.manipulated_variable[i], all.manipulated_variable[index]);
+        // 1e-12 of u's 888: a batch of points is compiled to other instructions than a single one.
+        assert!((some.controlled_variable[i] - all.controlled_variable[index]).abs() < 1e-14);
+        assert!((some.manipulated_variable[i] - all.manipulated_variable[index]).abs() < 1e-9);
     }
     assert_eq!((some.setpoint[1], some.setpoint[4], some.manipulated_variable[4]), (1.5, 1.0, 0.0));
     // 0.5·Kc·(1 + Td·N) at the step; 1e-12 relative: rounding.

@@ -16,6 +16,8 @@ use super::system::{Rest, Row, System};
 const CELL_BUDGET: u64 = 1_000_000;
 /// A cell is accepted when its last coefficients are below this part of the signal's largest value so far.
 const TOLERANCE: f64 = 2e-14;
+/// The same where states drive each other: stiff coupled lags leave 24² roundings in the last coefficients.
+const COUPLED_TOLERANCE: f64 = 4e-13;
 /// And always when they are below this part of the sum of magnitudes it was made from: that is rounding.
 const ROUNDING: f64 = 1e-15;
 /// Last coefficients below this part of the signal's largest value so far, and below a millionth of the signal here, are
@@ -120,6 +122,7 @@ pub(super) struct Solver<'a> {
     /// Rate of the fastest pole [1/s].
     fastest: f64,
     quiet: f64,
+    tolerance: f64,
     /// Cells computed so far.
     tried: u64,
     longest_delay: f64,
@@ -143,6 +146,7 @@ impl<'a> Solver<'a> {
     pub(super) fn new(system: &'a System) -> Self {
         let (n, channels) = (system.rates.len(), system.inputs.len());
         let fastest = system.fastest();
+        let coupled = system.blocks.iter().any(|(from, to)| to - from > 1);
         Self {
             system,
             states: vec![0.0; n],
@@ -158,6 +162,7 @@ impl<'a> Solver<'a> {
             since_event: LAYER.len(),
             fastest,
             quiet: f64::INFINITY,
+            tolerance: if coupled { COUPLED_TOLERANCE } else { TOLERANCE },
             tried: 0,
             longest_delay: system.delays.iter().copied().fold(0.0, f64::max),
             impulsive: false,
@@ -405,7 +410,7 @@ impl<'a> Solver<'a> {
             return None;
         }
         let resolved = |poly: &Poly, size: f64, scale: f64, noise: f64| {
-            tail(poly) <= TOLERANCE * scale.max(size) + ROUNDING * noise
+            tail(poly) <= self.tolerance * scale.max(size) + ROUNDING * noise
         };
         let noise = |row: &Row| row.states.iter().map(|&(i, w)| w.abs() * self.state_scales[i]).sum();
         let mut good = true;

@@ -2,7 +2,7 @@
 
 use crate::model::ClosedLoop;
 
-use super::legendre::{BATCH, Poly, batch, ends, powers, value};
+use super::legendre::{Poly, ends, evaluate, powers};
 use super::measure::Measure;
 use super::scenario::Scenario;
 use super::solver::{Cell, Outcome, ResponseError, Solver, Watch};
@@ -204,29 +204,10 @@ impl Watch for Sampler<'_> {
             Some(order) => from + order[from..].partition_point(|&i| self.result.time[i] < end),
         };
         self.next = to;
-        match to - from {
-            0 => {}
-            1..=3 => {
-                for position in from..to {
-                    let index = self.index(position);
-                    let s = place(cell, self.result.time[index]);
-                    let estimate = cell.load_estimate.map_or(0.0, |p| value(p, s));
-                    self.set(index, [level - value(cell.error, s), value(cell.manipulated, s), estimate]);
-                }
-            }
-            _ => self.fill(cell, level, from, to),
+        if from == to {
+            return;
         }
-    }
-}
-
-/// Where a time lies in a cell, from −1 to 1.
-fn place(cell: &Cell<'_>, time: f64) -> f64 {
-    ((time - cell.start) * (2.0 / cell.length) - 1.0).clamp(-1.0, 1.0)
-}
-
-impl Sampler<'_> {
-    /// Many times in one cell: batches in the power basis.
-    fn fill(&mut self, cell: &Cell<'_>, level: f64, from: usize, to: usize) {
+        let place = (cell.start, 2.0 / cell.length);
         let mut error = powers(cell.error);
         for c in &mut error.0 {
             *c = -*c;
@@ -234,30 +215,24 @@ impl Sampler<'_> {
         error.0[0] += level;
         error.1 = error.1.max(1);
         let manipulated = powers(cell.manipulated);
-        let estimate = cell.load_estimate.map(powers);
-        let mut position = from;
-        while position < to {
-            let count = BATCH.min(to - position);
-            let mut points = [0.0; BATCH];
-            for (offset, point) in points[..count].iter_mut().enumerate() {
-                *point = place(cell, self.result.time[self.index(position + offset)]);
-            }
-            let y = batch(&error.0[..error.1], &points);
-            let u = batch(&manipulated.0[..manipulated.1], &points);
-            let estimates = estimate.as_ref().map(|(c, terms)| batch(&c[..*terms], &points));
-            if self.order.is_none() {
-                self.result.controlled_variable[position..position + count].copy_from_slice(&y[..count]);
-                self.result.manipulated_variable[position..position + count].copy_from_slice(&u[..count]);
-                if let (Some(to), Some(from)) = (&mut self.result.load_estimate, estimates) {
-                    to[position..position + count].copy_from_slice(&from[..count]);
-                }
-            } else {
-                for offset in 0..count {
-                    let estimate = estimates.map_or(0.0, |e| e[offset]);
-                    self.set(self.index(position + offset), [y[offset], u[offset], estimate]);
+        let Trajectory { time, controlled_variable, manipulated_variable, load_estimate, .. } =
+            &mut self.result;
+        let order = self.order.as_deref().map(|order| &order[from..to]);
+        let fill = |powers: &(Poly, usize), values: &mut [f64]| {
+            let powers = &powers.0[..powers.1];
+            match order {
+                None => evaluate(powers, place, &time[from..to], &mut values[from..to]),
+                Some(order) => {
+                    for &i in order {
+                        evaluate(powers, place, &time[i..=i], &mut values[i..=i]);
+                    }
                 }
             }
-            position += count;
+        };
+        fill(&error, controlled_variable);
+        fill(&manipulated, manipulated_variable);
+        if let Some((polynomial, values)) = cell.load_estimate.zip(load_estimate.as_mut()) {
+            fill(&powers(polynomial), values);
         }
     }
 }
