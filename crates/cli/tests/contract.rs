@@ -162,7 +162,7 @@ fn the_atlas_is_one_offline_page_with_a_section_for_each_rule() {
     let path = folder("atlas").join("atlas.html");
     let list = json(&["rules", "--structure", "pi", "--report", path.to_str().unwrap()]);
     let html = std::fs::read_to_string(&path).unwrap();
-    assert!(html.contains("best possible PI") && !html.contains("src=\"http"));
+    assert!(html.contains("best possible PI") && html.contains("default-src 'none'"));
     for rule in list.as_array().unwrap() {
         assert!(html.contains(&format!("<h2>{}</h2>", rule["id"].as_str().unwrap())));
     }
