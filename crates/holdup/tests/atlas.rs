@@ -1,7 +1,5 @@
 //! `docs/atlas.md` is in step with the registry.
 
-#![expect(clippy::unwrap_used, reason = "a test may")]
-
 use std::fs;
 use std::path::Path;
 

@@ -146,5 +146,5 @@ fn folded(name: &str, value: &str, width: usize) -> String {
     const INDENT: usize = 12;
     let lines = fold(value, width - INDENT);
     let heads = std::iter::once(name).chain(std::iter::repeat(""));
-    heads.zip(&lines).map(|(head, line)| format!("{head:<INDENT$}{line}\n")).collect()
+    heads.zip(&lines).fold(String::new(), |text, (head, line)| text + &format!("{head:<INDENT$}{line}\n"))
 }

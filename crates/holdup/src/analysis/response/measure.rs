@@ -1,8 +1,8 @@
 //! What the metrics are made of, gathered cell by cell: integrals, variation, extrema, crossings.
 
+use super::cell::{Cell, Watch};
 use super::legendre::{derivative, ends, magnitude, primitives, significant, square_integral, swing, value};
 use super::roots::{Roots, sign_changes};
-use super::solver::{Cell, Watch};
 
 /// A setpoint move that overshoot, rise and settling are about.
 #[derive(Debug, Clone, Copy)]

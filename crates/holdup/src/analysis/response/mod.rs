@@ -7,7 +7,9 @@
 use crate::analysis::metrics::Metrics;
 use crate::model::{ClosedLoop, Seconds};
 
+mod cell;
 mod delay_line;
+mod error;
 mod instant;
 mod lag;
 mod legendre;
@@ -18,12 +20,13 @@ mod solver;
 mod system;
 mod trajectory;
 
+pub use error::ResponseError;
 pub use scenario::{Scenario, ScenarioError};
-pub use solver::ResponseError;
 pub use trajectory::{Trajectory, plot_times, simulate_with_trajectory, trajectory};
 
+use cell::Outcome;
 use measure::{BANDS, Measure, Move};
-use solver::{Outcome, Solver};
+use solver::Solver;
 use system::System;
 
 /// The numbers of one simulated response.

@@ -3,9 +3,9 @@
 //! States are deviations from the point of rest of the current setpoint and load, so that what decays keeps its
 //! relative accuracy and a settled loop is exactly at rest.
 
-use thiserror::Error;
-
+use super::cell::{Cell, Outcome, Watch};
 use super::delay_line::DelayLine;
+use super::error::ResponseError;
 use super::instant::Instant;
 use super::lag::{CoupledLags, Lag};
 use super::legendre::{Poly, TERMS, add, ends, integrated, magnitude, significant, tail};
@@ -27,63 +27,6 @@ const FLOOR: f64 = 1e-18;
 const SETTLED: f64 = 1e-20;
 /// Breakpoints that went through the loop more often than this are left to the acceptance test.
 const BREAKPOINT_ORDER: u32 = 40;
-
-/// Why a response could not be computed.
-#[derive(Debug, Clone, PartialEq, Error)]
-pub enum ResponseError {
-    /// The horizon takes more cells than the budget allows.
-    #[error(
-        "--horizon is {horizon} s: the loop has not settled after {reached:.6} s, when the budget of {cells} steps \
-         was spent; must be at most about {reached:.0} s for this loop"
-    )]
-    HorizonTooLong {
-        /// The horizon [s].
-        horizon: f64,
-        /// How far the simulation came [s].
-        reached: f64,
-        /// The budget.
-        cells: u64,
-    },
-    /// A requested time is outside 0 … horizon, or not a number.
-    #[error("time {value} s is outside 0 to the horizon of {horizon} s")]
-    TimeOutside {
-        /// The time asked for [s].
-        value: f64,
-        /// The horizon [s].
-        horizon: f64,
-    },
-}
-
-/// What happens in one cell, in units of the process: polynomials in s from −1 to 1 over the cell.
-pub(super) struct Cell<'a> {
-    /// Start [s].
-    pub(super) start: f64,
-    /// Length [s].
-    pub(super) length: f64,
-    /// Setpoint, relative to the initial level.
-    pub(super) setpoint: f64,
-    /// Control error.
-    pub(super) error: &'a Poly,
-    /// Controller output.
-    pub(super) manipulated: &'a Poly,
-    /// Load estimate of the observer.
-    pub(super) load_estimate: Option<&'a Poly>,
-}
-
-/// Receives the response as it is computed.
-pub(super) trait Watch {
-    /// The next cell, in order.
-    fn cell(&mut self, cell: &Cell<'_>);
-}
-
-/// How a run ended.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Outcome {
-    /// When the signals left the range of numbers [s].
-    pub(super) overflow_at: Option<f64>,
-    /// Whether the controller output contained an impulse.
-    pub(super) impulsive: bool,
-}
 
 /// Factors of one block for one cell length.
 #[derive(Debug, Clone)]

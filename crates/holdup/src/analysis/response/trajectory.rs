@@ -2,10 +2,12 @@
 
 use crate::model::ClosedLoop;
 
+use super::cell::{Cell, Outcome, Watch};
+use super::error::ResponseError;
 use super::legendre::{Poly, ends, evaluate, powers};
 use super::measure::Measure;
 use super::scenario::Scenario;
-use super::solver::{Cell, Outcome, ResponseError, Solver, Watch};
+use super::solver::Solver;
 use super::system::System;
 use super::{Response, measure_of, response};
 
