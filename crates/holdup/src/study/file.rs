@@ -150,23 +150,23 @@ fn controller(
     process: &Process,
     scenarios: &[&str],
 ) -> Result<StudyController, TextError> {
-    let keys =
-        [&["name", "about", "rule", "parameters", "scenarios"][..], term_keys(), extra_keys()].concat();
+    let keys = [&["name", "about", "rule", "scenarios"][..], term_keys(), extra_keys()].concat();
     section.only(&keys)?;
     let name = named(section)?;
     let choice = if section.has("rule") {
-        if let Some(key) = term_keys().iter().find(|key| section.has(key)) {
+        if let Some(key) = term_keys().iter().find(|key| **key != "parameters" && section.has(key)) {
             let reason = "cannot stand beside rule: the rule gives it".into();
             return Err(section.error(key, Problem::Conflict { reason }));
         }
         let (id, parameters) = ruled(section, process)?;
         Choice::Rule { id, parameters, extras: extras_section(section)? }
     } else {
-        if section.has("parameters") {
-            let reason = "needs a rule whose parameters they are".into();
+        let compensator = section.has("structure");
+        if section.has("parameters") && !compensator {
+            let reason = "needs a rule or a structure whose parameters they are".into();
             return Err(section.error("parameters", Problem::Conflict { reason }));
         }
-        if !section.has("proportional_gain") {
+        if !section.has("proportional_gain") && !compensator {
             return Err(
                 section.missing("proportional_gain", "a finite number other than 0, or rule must be given")
             );

@@ -129,7 +129,8 @@ pub fn to_infinity(
 
 /// Why the error does not vanish, where it does not.
 fn lasting_error(controller: &Controller, input: Input) -> Option<String> {
-    let integral = controller.integral_time().is_some();
+    // Every compensator of the model answers a constant load as integral action does.
+    let integral = controller.integral_time().is_some() || controller.compensator().is_some();
     match input {
         Input::Load if !integral && controller.observer().is_none() => Some(
             "load IAE is infinite: without integral action or observer a load leaves an error behind".to_owned(),
