@@ -63,6 +63,12 @@ Examples:
   holdup analyse -p K=0.0506,d=6 -c Kc=1.5321,Td=1.0343,Ko=1.5321 --require 'gain_margin>=2'
   holdup analyse loop.toml --json")]
     Analyse(LoopArgs),
+    /// Draw where a loop is stable in a plane of two settings, and where its robustness is constant
+    #[command(after_help = "\
+Examples:
+  holdup region -p K=0.0506,d=6 --plane kc-ti --sensitivity 1.4,1.7,2 --plot region.svg
+  holdup region -p K=0.0506,d=6 --plane kc-ko -c Kc=1.5321,Td=1.0343 --gain-margin 2,3 --json")]
+    Region(RegionArgs),
     /// Simulate a loop exactly
     #[command(after_help = "\
 Examples:
@@ -102,6 +108,38 @@ pub(crate) struct LoopArgs {
     /// The loop as a file, instead of -p and -c
     #[arg(long = "loop", value_name = "LOOP.toml")]
     pub(crate) loop_file: Option<PathBuf>,
+}
+
+/// `holdup region`.
+#[derive(Debug, Args)]
+pub(crate) struct RegionArgs {
+    /// The process: K=…,d=…[,T=…][,integrators=2]
+    #[arg(short, long, value_name = "K=…,d=…")]
+    pub(crate) process: Option<String>,
+    /// The controller, whose settings outside the plane stay; when absent, there are none
+    #[arg(short, long, value_name = "Kc=…,Td=…")]
+    pub(crate) controller: Option<String>,
+    /// The plane: kc-ti, kc-td or kc-ko
+    #[arg(long, value_name = "PLANE", default_value = "kc-ti")]
+    pub(crate) plane: String,
+    /// Curves of these sensitivity peaks
+    #[arg(long, value_name = "1.4,1.7,2")]
+    pub(crate) sensitivity: Option<String>,
+    /// Curves of these gain margins
+    #[arg(long, value_name = "2,3")]
+    pub(crate) gain_margin: Option<String>,
+    /// Curves of these phase margins, in degrees
+    #[arg(long, value_name = "45,60")]
+    pub(crate) phase_margin: Option<String>,
+    /// Greatest modulus of the proportional gain; when absent, 1.8/(K·d)
+    #[arg(long, value_name = "GAIN", allow_hyphen_values = true)]
+    pub(crate) max_gain: Option<String>,
+    /// Greatest modulus of the other setting; when absent, 20 d, 1.5 d or 1.8/(K·d)
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    pub(crate) max_other: Option<String>,
+    /// Write the picture to this file: .svg, .png or .html
+    #[arg(long, value_name = "FILE")]
+    pub(crate) plot: Option<PathBuf>,
 }
 
 /// What happens to the loop.

@@ -329,6 +329,20 @@ fn tables_stay_within_eighty_columns_and_without_colours() {
     }
 }
 
+#[test]
+fn the_stability_region_of_pi_has_its_limit_and_the_curves_asked_for() {
+    let region = json(&["region", "-p", "K=1,d=1", "--plane", "kc-ti", "--sensitivity", "1.4,2"]);
+    has(&region, &["plane", "x", "y", "boundary", "levels"]);
+    assert_eq!(region["levels"].as_array().unwrap().len(), 2);
+    let vertices = region["boundary"][0]["vertices"].as_array().unwrap();
+    assert!(vertices.len() > 10);
+    for vertex in vertices {
+        // In closed form the limit of PI is Kc = ω sin ω, Ti = tan ω/ω; 1e-9 is rounding far from both ends.
+        let (kc, omega) = (vertex["x"].as_f64().unwrap(), vertex["frequency_rad_s"].as_f64().unwrap());
+        assert!((kc - omega * omega.sin()).abs() < 1e-9, "{vertex}");
+    }
+}
+
 #[cfg(unix)]
 #[test]
 fn a_closed_pipe_ends_the_command_quietly() {

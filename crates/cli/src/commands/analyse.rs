@@ -28,7 +28,7 @@ pub(crate) fn run(args: &LoopArgs, console: Console) -> Result<Answer, Fault> {
     let json = json!({
         "stable": whole.stable,
         "margins": &whole,
-        "dominant_poles": poles.iter().map(|pole| json!({"re": pole.re, "im": pole.im})).collect::<Vec<_>>(),
+        "dominant_poles": poles.iter().map(|pole| pole_json(pole.re, pole.im)).collect::<Vec<_>>(),
         "noise_gain": noise_gain,
         "loops": parts.as_ref().map_or(Value::Null, Parts::json),
         "warnings": warnings,
@@ -54,9 +54,21 @@ pub(crate) fn run(args: &LoopArgs, console: Console) -> Result<Answer, Fault> {
     Ok(Answer { json, text, warnings, ..Answer::default() })
 }
 
-/// A pole for reading.
+/// Damping ratio of a pole [–]: 1 on the negative real axis, 0 on the imaginary axis, negative to the right of it.
+fn damping_ratio(re: f64, im: f64) -> Option<f64> {
+    Some(-re / re.hypot(im)).filter(|ratio| ratio.is_finite())
+}
+
+fn pole_json(re: f64, im: f64) -> Value {
+    json!({"re": re, "im": im, "damping_ratio": damping_ratio(re, im)})
+}
+
+/// A pole for reading, a pair with its damping ratio.
 fn root(re: f64, im: f64) -> String {
-    if im == 0.0 { number(re) } else { format!("{} ± {}j", number(re), number(im.abs())) }
+    match im {
+        0.0 => number(re),
+        _ => format!("{} ± {}j (damping {})", number(re), number(im.abs()), number(damping_ratio(re, im))),
+    }
 }
 
 /// The loops that a loop with an observer is made of.

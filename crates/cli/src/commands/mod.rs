@@ -5,6 +5,7 @@ mod compare;
 mod completions;
 mod man;
 mod ranking;
+mod region;
 mod reproduce;
 mod rule_page;
 mod rules;
@@ -22,6 +23,7 @@ pub(crate) fn run(command: &Command, console: Console) -> Result<Answer, Fault> 
         Command::Rules(args) => rules::run(args, console),
         Command::Tune(args) => tune::run(args, console),
         Command::Analyse(args) => analyse::run(args, console),
+        Command::Region(args) => region::run(args, console),
         Command::Simulate(args) => simulate::run(args, console),
         Command::Compare(args) => compare::run(args, console),
         Command::Reproduce(args) => reproduce::run(args, console),

@@ -87,7 +87,8 @@ impl Tuned {
     }
 
     fn text(&self, process: &Process, entry: &Entry, console: Console) -> String {
-        let mut text = title(console, &controller_line(&self.tuning.controller));
+        let verdict = if self.achieved.stable { "" } else { "UNSTABLE: " };
+        let mut text = title(console, &format!("{verdict}{}", controller_line(&self.tuning.controller)));
         let from = format!("{} ({}, {})", entry.id, entry.authors, entry.year);
         let _ = writeln!(text, "by {from}\non {}", process_line(process));
         let published = &self.tuning.published;
