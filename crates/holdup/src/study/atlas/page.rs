@@ -79,7 +79,9 @@ fn plane(atlas: &Atlas, pi: &[Best], pid: &[Best]) -> Result<Figure, ReportError
     let x = Axis::linear("sensitivity peak M_s [–]").with_range(PEAK_RANGE.0, PEAK_RANGE.1)?;
     let y = Axis::logarithmic("load IAE / (K·d²) [–]").with_range(IAE_RANGE.0, IAE_RANGE.1)?;
     let mut panel = Panel::new(x, y).with_reference(Reference::horizontal(0.5, "no controller below 0.5")?);
-    for (index, structure) in ["PI", "PID", "PD+DOB"].into_iter().enumerate() {
+    for (index, structure) in
+        ["PI", "PID", "PD+DOB", "SP+DOB", "2DOF-DTC", "P+inverse-DOB"].into_iter().enumerate()
+    {
         let best = match structure {
             "PI" => pi,
             "PID" => pid,
