@@ -4,7 +4,7 @@
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
 use holdup::analysis::frequency::margins;
-use holdup::model::{ClosedLoop, Controller, Process, Seconds};
+use holdup::model::{ClosedLoop, Controller, DerivativeFilter, Process, Seconds};
 use holdup::tuning::{Applies, Parameters, rules};
 use num_complex::Complex64;
 
@@ -26,7 +26,7 @@ fn loop_transfer(process: &Process, controller: &Controller, omega: f64) -> Comp
     let g = process.process_gain() * (-s * process.dead_time()).exp()
         / (s.powi(i32::from(process.integrators())) * lag);
     let integral = controller.integral_time().map_or(Complex64::ZERO, |ti| 1.0 / (s * ti));
-    let filter = 1.0 + s * controller.derivative_filter().map_or(0.0, |filter| filter.time());
+    let filter = 1.0 + s * controller.derivative_filter().map_or(0.0, DerivativeFilter::time);
     let derivative = s * controller.derivative_time().unwrap_or(0.0) / filter;
     let output = controller.output_filter().map_or(Complex64::ONE, |f| 1.0 + s * f.a1 + s * s * f.a2);
     let c = controller.proportional_gain() * (1.0 + integral + derivative) / output;
