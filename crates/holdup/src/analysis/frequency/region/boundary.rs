@@ -127,7 +127,7 @@ fn line<'a>(crossing: Crossing, at: impl Fn(f64) -> Option<Vertex> + 'a) -> Path
     Path { crossing, at: Box::new(at), samples }
 }
 
-/// The pieces of a path that bound the stable settings, their ends found to rounding.
+/// The pieces of a path that bound the stable settings, their ends found to about 1e-8 of the window.
 fn pieces(settings: &Settings, path: &Path) -> Vec<Curve> {
     let bounds = |t: f64| bounding(settings, path, t);
     let mut curves = Vec::new();
