@@ -2,5 +2,6 @@
 
 pub mod analysis;
 pub mod model;
+pub mod record;
 pub mod study;
 pub mod tuning;
