@@ -83,6 +83,14 @@ Example:
     /// Recompute every number that a paper prints, and judge each
     #[command(after_help = "Example:\n  holdup reproduce kadam-2017")]
     Reproduce(ReproduceArgs),
+    /// Give the numbers to type into a vendor's controller block, or read them back
+    #[command(after_help = "\
+Examples:
+  holdup convert
+  holdup convert -c Kc=20,Ti=5min --to yokogawa-centum --pv-span 0:5 --op-span 0:100
+  holdup convert -p K=0.0506,d=6 -c Kc=2.95,Ti=15,Td=3,N=100 --to all
+  holdup convert --from rockwell-pide-dependent PGain=2,IGain=5 --pv-span 0:5 --op-span 0:100")]
+    Convert(ConvertArgs),
     /// Write the completion script of a shell to standard output
     #[command(
         after_help = "Example:\n  holdup completions bash > ~/.local/share/bash-completion/completions/holdup"
@@ -256,6 +264,38 @@ pub(crate) struct ReproduceArgs {
     /// The paper
     #[arg(value_name = "PAPER")]
     pub(crate) paper: String,
+}
+
+/// `holdup convert`.
+#[derive(Debug, Args)]
+pub(crate) struct ConvertArgs {
+    /// Settings of the block of --from: name=value, separated by commas or spaces
+    #[arg(value_name = "NAME=VALUE")]
+    pub(crate) settings: Vec<String>,
+    /// The process, for the margins of what the block really runs: K=…,d=…[,T=…][,integrators=2]
+    #[arg(short, long, value_name = "K=…,d=…")]
+    pub(crate) process: Option<String>,
+    /// The controller, in the units of the plant
+    #[arg(short, long, value_name = "Kc=…,Ti=…")]
+    pub(crate) controller: Option<String>,
+    /// Convert for this block, or for all
+    #[arg(long, value_name = "VENDOR")]
+    pub(crate) to: Option<String>,
+    /// Read the controller out of the settings of this block
+    #[arg(long, value_name = "VENDOR")]
+    pub(crate) from: Option<String>,
+    /// Range of the controlled variable, in the units of the design [default: 0:100]
+    #[arg(long, value_name = "LOW:HIGH", allow_hyphen_values = true)]
+    pub(crate) pv_span: Option<String>,
+    /// Range of the controller's output, in the units of the design [default: 0:100]
+    #[arg(long, value_name = "LOW:HIGH", allow_hyphen_values = true)]
+    pub(crate) op_span: Option<String>,
+    /// Unit of the controlled variable, for reading
+    #[arg(long, value_name = "UNIT")]
+    pub(crate) pv_unit: Option<String>,
+    /// Period at which the block is executed
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    pub(crate) sample_period: Option<String>,
 }
 
 /// `holdup completions`.

@@ -1,0 +1,53 @@
+//! Rockwell PIDE (Logix 5000), independent gains.
+//!
+//! # Equation
+//! `CV = CV' + KP·ΔE + (KI/60)·E·Δt + 60·KD·(ΔE − ΔE')/Δt`, E and CV in percent of span; ΔPV takes the place of ΔE
+//! where `PVEProportional` or `PVEDerivative` is set.
+//!
+//! # Units
+//! KI in 1/min, KD in minutes, gains in percent per percent.
+//!
+//! # Filter
+//! None, or with `DSmoothing` a first-order lag. Its constant is documented for the PID instruction, 16 to 1, and
+//! taken to be the same here.
+//!
+//! # Reference
+//! Logix 5000 Advanced Process Control and Drives Instructions, 1756-RM006, enhanced PID (PIDE): forms, units and
+//! defaults; Logix 5000 General Instructions, 1756-RM003, PID: derivative smoothing.
+
+use crate::deploy::conversion::{
+    Action, Derivative, Filter, Fixed, Gain, Integral, Kind, Number, Off, Scale, Source, SpanNames, Vendor,
+    Weight, Weights,
+};
+
+/// The block.
+pub(in crate::deploy) static ENTRY: Vendor = Vendor {
+    id: "rockwell-pide-independent",
+    name: "Rockwell PIDE, independent gains (Logix 5000)",
+    equation: "ΔCV = PGain·ΔE + (IGain/60)·E·Δt + 60·DGain·Δ(ΔE or −ΔPV)/Δt, in percent of span",
+    source: Source {
+        citation: "Rockwell Automation 1756-RM006, Advanced Process Control and Drives Instructions, PIDE",
+        read: "units of the gains, percent of span, which changes the terms act on by default, ControlAction; \
+               the constant of DSmoothing is from memory (1756-RM003, PID)",
+    },
+    input: Scale::Span(100.0),
+    output: Scale::Span(100.0),
+    interacting: false,
+    gain: Gain::Gain(Number::new("PGain", "")),
+    integral: Integral {
+        number: Number::new("IGain", "1/min"),
+        kind: Kind::Gain(60.0),
+        off: Off::Value(0.0),
+    },
+    derivative: Derivative { number: Number::new("DGain", "min"), kind: Kind::Gain(60.0) },
+    filter: Filter::Switch { name: "DSmoothing", on: "1", off: "0", ratio: 1.0 / 16.0 },
+    weights: Weights::Each {
+        b: Weight::Words { name: "PVEProportional", one: "0", zero: "1", one_is_default: true },
+        c: Weight::Words { name: "PVEDerivative", one: "0", zero: "1", one_is_default: false },
+    },
+    action: Action::Words { name: "ControlAction", reverse: "0", direct: "1" },
+    spans: Some(SpanNames { pv: Some(("PVEUMin", "PVEUMax")), op: Some(("CVEUMin", "CVEUMax")) }),
+    sample_period: None,
+    fixed: &[Fixed { name: "DependIndepend", word: "0", note: "independent gains" }],
+    notes: &["Without DSmoothing the derivative is a difference over one sample."],
+};
