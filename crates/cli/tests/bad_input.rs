@@ -200,3 +200,30 @@ fn an_absurd_horizon_is_an_answer_or_one_line() {
     assert!(matches!(output.status.code(), Some(0 | 2)));
     assert!(String::from_utf8_lossy(&output.stderr).lines().count() <= 3);
 }
+
+#[test]
+fn each_fault_of_a_conversion_names_option_and_value() {
+    for (words, parts) in [
+        (&["-c", "Kc=1", "--to", "yokogaw"][..], &["--to", "yokogaw", "did you mean 'yokogawa-centum'"][..]),
+        (&["-c", "Kc=1", "--to", "all", "--pv-span", "5:0"], &["--pv-span", "5:0", "low:high"]),
+        (&["-c", "Kc=1", "--to", "all", "--op-span", "3:3"], &["--op-span", "3:3"]),
+        (&["-c", "Kc=1", "--to", "all", "--sample-period", "0"], &["--sample-period", "greater than 0"]),
+        (&["-c", "Kc=0", "--to", "all"], &["--controller", "Kc is 0"]),
+        (&["-c", "Kc=1"], &["--to is missing"]),
+        (&["--to", "all"], &["--controller is missing"]),
+        (&["PGain=2"], &["PGain=2", "--from"]),
+        (&["-c", "Kc=1", "--from", "klipper-heater", "pid_Kp=1"], &["--controller", "--from"]),
+        (&["--from", "klipper-heater"], &["pid_Kp is missing"]),
+        (&["--from", "klipper-heater", "pid_Kp=0"], &["pid_Kp is 0"]),
+        (&["--from", "klipper-heater", "pid_Kp=-3"], &["pid_Kp is -3"]),
+        (&["--from", "klipper-heater", "pid_Kp=1,pid_Kj=2"], &["pid_Kj", "did you mean"]),
+        (&["--from", "klipper-heater", "pid_Kp=1", "pid_Ki=nan"], &["pid_Ki is nan"]),
+        (&["--from", "klipper-heater", "pid_Kp=1", "pid_Ki=-2"], &["pid_Ki"]),
+        (&["--from", "yokogawa-centum", "P=1e-320,I=30"], &["P is"]),
+    ] {
+        let error = refused(&[&["convert"][..], words].concat());
+        for part in parts {
+            assert!(error.contains(part), "{words:?}: {error}");
+        }
+    }
+}

@@ -357,3 +357,51 @@ fn a_closed_pipe_ends_the_command_quietly() {
     assert_eq!(output.status.code(), Some(0));
     assert!(!String::from_utf8_lossy(&output.stderr).contains("panic"));
 }
+
+#[test]
+fn convert_gives_what_is_typed_what_cannot_be_and_the_margins_of_what_runs() {
+    let spans = ["--pv-span", "0:5", "--op-span", "0:100"];
+    let words = ["convert", "-p", PROCESS, "-c", PID, "--to", "honeywell-experion"];
+    let result = json(&[&words[..], &spans].concat());
+    has(&result, &["vendor", "equation", "source", "parameters", "cannot", "warnings", "run", "margins"]);
+    has(&result["parameters"][0], &["name", "value", "unit", "note"]);
+    // 2.95 %/unit on spans of 5 and 100: 2.95·5/100 percent per percent.
+    assert!((result["parameters"][0]["value"].as_f64().unwrap() - 0.1475).abs() < 1e-15);
+    // The block's filter is a sixteenth of Td, not 0.01 s: the margins are those of that controller.
+    let run = json(&["analyse", "-p", PROCESS, "-c", "Kc=2.95,Ti=15,Td=3,Tf=0.1875"]);
+    let margin = |value: &Value| value["sensitivity_peak"].as_f64().unwrap();
+    assert!((margin(&result["margins"]["run"]) / margin(&run["margins"]) - 1.0).abs() < 1e-9);
+    assert!(result["cannot"][0].as_str().unwrap().contains("0.1875 s"));
+    let all = json(&[&["convert", "-c", PID, "--to", "all"][..], &spans].concat());
+    let listed = json(&["convert"]);
+    assert_eq!(all.as_array().unwrap().len(), listed.as_array().unwrap().len());
+    assert!(all.as_array().unwrap().iter().all(|entry| entry["refused"].is_null()));
+}
+
+#[test]
+fn settings_read_out_of_a_block_are_a_controller_and_convert_on() {
+    let spans = ["--pv-span", "0:5", "--op-span", "0:100"];
+    let from = ["convert", "--from", "rockwell-pide-dependent", "PGain=2,IGain=5"];
+    let result = json(&[&from[..], &spans].concat());
+    assert_eq!(result["notation"], "Kc=40,Ti=300");
+    let onward = json(&[&from[..], &["--to", "yokogawa-centum"], &spans].concat());
+    assert_eq!(
+        (&onward["parameters"][0]["value"], &onward["parameters"][1]["value"]),
+        (&50.0.into(), &300.0.into())
+    );
+}
+
+#[test]
+fn a_sheet_fits_the_terminal() {
+    for words in [&["convert"][..], &["convert", "-p", PROCESS, "-c", PID, "--to", "all"]] {
+        let output = String::from_utf8(run(words).stdout).unwrap();
+        assert!(output.lines().all(|line| line.chars().count() <= 80), "{output}");
+    }
+    let listed = json(&["convert"]);
+    for entry in listed.as_array().unwrap() {
+        let vendor = entry["vendor"].as_str().unwrap();
+        let output = run(&["convert", "-p", PROCESS, "-c", "Kc=2.95,Ti=15,Td=3,N=100,Ko=1", "--to", vendor]);
+        let text = String::from_utf8(output.stdout).unwrap();
+        assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
+    }
+}
