@@ -6,7 +6,7 @@ pub mod compensator;
 mod compensator_settings;
 pub mod controller;
 pub mod description;
-mod error;
+pub(crate) mod error;
 pub mod events;
 pub mod forms;
 pub mod loop_file;

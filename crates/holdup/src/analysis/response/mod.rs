@@ -10,6 +10,7 @@ use crate::model::{ClosedLoop, Seconds};
 mod cell;
 mod delay_line;
 mod error;
+mod extent;
 mod instant;
 mod lag;
 mod legendre;
@@ -21,6 +22,7 @@ mod system;
 mod trajectory;
 
 pub use error::ResponseError;
+pub use extent::{Extreme, OutputExtent, output_extent};
 pub use scenario::{Scenario, ScenarioError};
 pub use trajectory::{Trajectory, plot_times, simulate_with_trajectory, trajectory};
 
