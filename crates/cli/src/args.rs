@@ -61,8 +61,9 @@ Examples:
 Examples:
   holdup analyse -p K=0.0506,d=6 -c Kc=2.95,Ti=15,Td=3,N=100
   holdup analyse -p K=0.0506,d=6 -c Kc=1.5321,Td=1.0343,Ko=1.5321 --require 'gain_margin>=2'
+  holdup analyse -p K=0.0506,d=6 -c Kc=2.95,Ti=15,Td=3,N=100 --limits 0:100 --output-at-rest 40
   holdup analyse loop.toml --json")]
-    Analyse(LoopArgs),
+    Analyse(AnalyseArgs),
     /// Draw where a loop is stable in a plane of two settings, and where its robustness is constant
     #[command(after_help = "\
 Examples:
@@ -116,6 +117,34 @@ pub(crate) struct LoopArgs {
     /// The loop as a file, instead of -p and -c
     #[arg(long = "loop", value_name = "LOOP.toml")]
     pub(crate) loop_file: Option<PathBuf>,
+}
+
+/// `holdup analyse`.
+#[derive(Debug, Args)]
+pub(crate) struct AnalyseArgs {
+    /// The loop.
+    #[command(flatten)]
+    pub(crate) of: LoopArgs,
+    /// The actuator.
+    #[command(flatten)]
+    pub(crate) actuator: ActuatorArgs,
+}
+
+/// The actuator of a loop.
+#[derive(Debug, Args)]
+pub(crate) struct ActuatorArgs {
+    /// Limits of the manipulated variable: what the actuator allows, and what the design asks of it
+    #[arg(long, value_name = "LOW:HIGH", allow_hyphen_values = true)]
+    pub(crate) limits: Option<String>,
+    /// The manipulated variable at rest [default: 0, or the limit nearest to it]
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    pub(crate) output_at_rest: Option<String>,
+    /// Size of the setpoint step that is asked about [default: 1]
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    pub(crate) setpoint_step: Option<String>,
+    /// Size of the load step that is asked about [default: 1]
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    pub(crate) load_step: Option<String>,
 }
 
 /// `holdup region`.

@@ -227,3 +227,19 @@ fn each_fault_of_a_conversion_names_option_and_value() {
         }
     }
 }
+
+#[test]
+fn each_fault_of_the_actuator_names_option_and_value() {
+    for (words, parts) in [
+        (&["--limits", "100:0"][..], &["--limits", "100:0"][..]),
+        (&["--limits", "5"], &["--limits", "5", "low:high"]),
+        (&["--limits", "0:100", "--output-at-rest", "140"], &["--output-at-rest", "140", "0 to 100"]),
+        (&["--limits", "0:100", "--load-step", "inf"], &["--load-step", "inf"]),
+        (&["--setpoint-step", "2"], &["--setpoint-step", "--limits"]),
+    ] {
+        let error = refused(&[&["analyse", "-p", PROCESS, "-c", "Kc=1,Ti=50"][..], words].concat());
+        for part in parts {
+            assert!(error.contains(part), "{words:?}: {error}");
+        }
+    }
+}

@@ -405,3 +405,61 @@ fn a_sheet_fits_the_terminal() {
         assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
     }
 }
+
+#[test]
+fn analyse_with_limits_says_what_the_actuator_allows() {
+    let words = [
+        "analyse",
+        "-p",
+        PROCESS,
+        "-c",
+        PID,
+        "--limits",
+        "0:100",
+        "--output-at-rest",
+        "40",
+        "--load-step",
+        "20",
+    ];
+    let result = json(&words);
+    let actuator = &result["actuator"];
+    has(actuator, &["limits", "output_at_rest", "loads_held", "setpoint", "load"]);
+    let asked = ["step", "kick", "least", "greatest", "in_reach", "steps_in_reach", "best"];
+    has(&actuator["setpoint"], &asked);
+    has(&actuator["load"]["best"], &["peak", "iae", "ise", "itae", "at_rest_s"]);
+    assert_eq!(actuator["loads_held"], serde_json::json!([-60.0, 40.0]));
+    // The paper's PID asks for Kc·(1 + Td·N) = 887.95 a unit of the setpoint.
+    assert!((actuator["setpoint"]["kick"].as_f64().unwrap() - 927.95).abs() < 1e-9);
+    assert_eq!(actuator["setpoint"]["in_reach"], false);
+    // As much left beyond the load as the load: the way back is as steep as the way up, K·l·d = 6.072.
+    let best = |name: &str| actuator["load"]["best"][name].as_f64().unwrap();
+    assert!((best("peak") - 6.072).abs() < 1e-12 && (best("iae") - 6.072 * 6.0).abs() < 1e-11);
+    assert!((best("at_rest_s") - 18.0).abs() < 1e-12);
+    assert!(
+        result["warnings"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .any(|w| w.as_str().unwrap().contains("out of the actuator's reach"))
+    );
+    // A bare name means the loop, not the actuator.
+    let lag = json(&[
+        "analyse",
+        "-p",
+        "K=0.0506,d=6,T=3",
+        "-c",
+        "Kc=1,Ti=60",
+        "--limits",
+        "0:100",
+        "--require",
+        "stable>=1",
+    ]);
+    assert!(lag["actuator"]["load"]["best"]["iae"].is_null());
+    assert!(
+        lag["warnings"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .any(|w| w.as_str().unwrap().contains("plain integrator only"))
+    );
+}

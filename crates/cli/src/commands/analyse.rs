@@ -6,16 +6,18 @@ use holdup::analysis::frequency::{Margins, dominant_poles, loop_without_observer
 use holdup::model::{ClosedLoop, Controller, Process};
 use serde_json::{Value, json};
 
+use super::analyse_actuator;
 use super::view::{controller_line, margins_table, process_line};
-use crate::args::LoopArgs;
+use crate::args::AnalyseArgs;
 use crate::console::{Answer, Console};
 use crate::fault::Fault;
 use crate::input::closed_loop;
 use crate::table::number;
 
 /// Analyses the loop; one with an observer also in its parts.
-pub(crate) fn run(args: &LoopArgs, console: Console) -> Result<Answer, Fault> {
-    let (process, controller) = closed_loop(args)?;
+pub(crate) fn run(args: &AnalyseArgs, console: Console) -> Result<Answer, Fault> {
+    let (process, controller) = closed_loop(&args.of)?;
+    let reach = analyse_actuator::of(&args.actuator, &process, &controller)?;
     let closed = ClosedLoop::new(&process, &controller);
     let whole = margins(&closed).map_err(Fault::input)?;
     let parts = Parts::of(&process, &controller)?;
@@ -25,7 +27,8 @@ pub(crate) fn run(args: &LoopArgs, console: Console) -> Result<Answer, Fault> {
     if noise_gain.is_none() {
         warnings.push("The noise gain is infinite: the derivative action is not filtered.".to_owned());
     }
-    let json = json!({
+    warnings.extend(reach.iter().flat_map(|reach| reach.sentences.clone()));
+    let mut json = json!({
         "stable": whole.stable,
         "margins": &whole,
         "dominant_poles": poles.iter().map(|pole| pole_json(pole.re, pole.im)).collect::<Vec<_>>(),
@@ -33,6 +36,12 @@ pub(crate) fn run(args: &LoopArgs, console: Console) -> Result<Answer, Fault> {
         "loops": parts.as_ref().map_or(Value::Null, Parts::json),
         "warnings": warnings,
     });
+    if let Some(reach) = &reach {
+        json["actuator"] = json!(reach);
+        // Why a best is absent is said in the JSON; on standard error only what concerns the design.
+        let reasons = reach.setpoint.best.reasons.iter().chain(&reach.load.best.reasons);
+        json["warnings"] = json!(warnings.iter().chain(reasons).collect::<Vec<_>>());
+    }
     let mut text = String::new();
     if !console.json {
         let verdict = if whole.stable { "Stable" } else { "Unstable" };
@@ -50,6 +59,7 @@ pub(crate) fn run(args: &LoopArgs, console: Console) -> Result<Answer, Fault> {
         );
         let _ =
             writeln!(text, " noise gain            {}", noise_gain.map_or_else(|| "∞".to_owned(), number));
+        text += &reach.map_or_else(String::new, |reach| analyse_actuator::section(console, &reach));
     }
     Ok(Answer { json, text, warnings, ..Answer::default() })
 }
