@@ -58,7 +58,8 @@ impl<T: Scalar, S: AsRef<[Segment<T>]> + AsMut<[Segment<T>]>> State<T, S> {
     /// that one, whatever the measurement.
     ///
     /// # Errors
-    /// An output that is not finite; storage too short for the observer's dead time, with the length needed.
+    /// An output that is not finite, or whose distance from the bias is not; storage too short for the observer's dead
+    /// time, with the length needed.
     pub fn switched_on(
         settings: &Settings<T>,
         storage: S,
@@ -72,6 +73,8 @@ impl<T: Scalar, S: AsRef<[Segment<T>]> + AsMut<[Segment<T>]>> State<T, S> {
         };
         // Until a measurement tells more, the load is taken to be the one that this output balances.
         let balanced = settings.law().pid.bias() - manipulated_variable;
+        let requirement = "must not differ from the bias by more than the number format holds";
+        require::that(balanced.is_finite(), "manipulated_variable", manipulated_variable, requirement)?;
         let load_estimate = settings.law().observer.map_or(T::ZERO, |_| balanced);
         Ok(Self {
             law: *settings.law(),
@@ -94,7 +97,8 @@ impl<T: Scalar, S: AsRef<[Segment<T>]> + AsMut<[Segment<T>]>> State<T, S> {
     /// and manipulated variable [output unit]: it answers the next change of any of them at once.
     ///
     /// # Errors
-    /// A value that is not finite; storage too short for the observer's dead time, with the length needed.
+    /// A value that is not finite, or that makes a term of the law infinite; storage too short for the observer's dead
+    /// time, with the length needed.
     pub fn at_rest(
         settings: &Settings<T>,
         storage: S,
@@ -111,6 +115,10 @@ impl<T: Scalar, S: AsRef<[Segment<T>]> + AsMut<[Segment<T>]>> State<T, S> {
             state.observer.start(&observer, controlled_variable, state.observer.load_estimate);
         }
         state.seat(state.manipulated_variable);
+        let held = state.pid.integral.value() + state.pid.bias_offset + state.observer.load_estimate;
+        let requirement = "must be so near to the setpoint that the law's terms are finite";
+        let sound = held.is_finite() && state.unassisted.is_finite();
+        require::that(sound, "controlled_variable", controlled_variable, requirement)?;
         // A prediction at rest has nothing under way.
         if !state.law.observer.is_some_and(|observer| observer.predicts()) {
             state.line.fill(state.unassisted);

@@ -70,3 +70,19 @@ fn a_state_needs_a_line_for_the_dead_time_of_its_observer() {
             .is_ok()
     );
 }
+
+#[test]
+fn a_start_whose_terms_overflow_is_refused() {
+    let observer = Observer::new(1.0, 1.0, 1.0, 0.5).unwrap();
+    let law = |bias: f64| {
+        let pid = Pid::proportional(1.0).unwrap().with_bias(bias, None).unwrap();
+        Settings::new(pid).with_observer(observer).unwrap()
+    };
+    let line = [Segment::default(); 5];
+    // Found by the fuzz target `controller`: the load estimate was infinite, and the law never came to itself.
+    let apart = State::switched_on(&law(1e308), line, -1e308).unwrap_err();
+    assert!(apart.to_string().contains("manipulated_variable"), "{apart}");
+    let far = State::at_rest(&law(0.0), line, 1e308, -1e308, 0.0).unwrap_err();
+    assert!(far.to_string().contains("controlled_variable"), "{far}");
+    assert!(State::at_rest(&law(0.0), line, 1e300, 0.0, 0.0).is_ok());
+}

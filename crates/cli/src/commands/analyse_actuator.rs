@@ -49,6 +49,9 @@ pub(super) fn of(
     reach(process, controller, &actuator, value(1, 1.0)?, value(2, 1.0)?).map(Some).map_err(Fault::input)
 }
 
+/// A quantity for reading.
+type Pick = fn(&Asked) -> String;
+
 /// The section for reading.
 pub(super) fn section(console: Console, reach: &Reach) -> String {
     let mut text = format!("\n{}", title(console, "Actuator"));
@@ -61,10 +64,9 @@ pub(super) fn section(console: Console, reach: &Reach) -> String {
         number(reach.loads_held.0),
         number(reach.loads_held.1)
     );
-    type Pick = fn(&Asked) -> String;
     let rows: [(&str, Pick); 12] = [
         ("size of the step", |a| number(a.step)),
-        ("output asked for at once", |a| a.kick.map_or_else(|| "∞".to_owned(), |kick| number(kick))),
+        ("output asked for at once", |a| a.kick.map_or_else(|| "∞".to_owned(), number)),
         ("least output asked for", |a| number(a.least)),
         ("greatest output asked for", |a| number(a.greatest)),
         ("linear answer in reach", |a| if a.in_reach { "yes" } else { "no" }.to_owned()),

@@ -128,17 +128,16 @@ pub fn kick(controller: &Controller) -> Option<f64> {
     let (b, c) = (controller.setpoint_weight(), controller.derivative_setpoint_weight());
     let derivative = controller.derivative_time().filter(|_| c != 0.0);
     match (derivative, controller.derivative_filter(), controller.output_filter()) {
-        (_, Some(_), Some(_)) | (None, _, Some(_)) => Some(0.0),
         (None, _, None) => Some(controller.proportional_gain() * b),
         (Some(td), Some(filter), None) => {
             Some(controller.proportional_gain() * (b + c * td * filter.bandwidth()))
         }
-        // A first-order output filter turns the impulse into a jump, a second-order one smooths that too.
+        (Some(_), None, None) => None,
+        // A first-order output filter turns the impulse into a jump; all else it smooths.
         (Some(td), None, Some(OutputFilter { a1, a2: 0.0 })) => {
             Some(controller.proportional_gain() * c * td / a1)
         }
-        (Some(_), None, Some(_)) => Some(0.0),
-        (Some(_), None, None) => None,
+        (_, _, Some(_)) => Some(0.0),
     }
 }
 

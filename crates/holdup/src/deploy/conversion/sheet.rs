@@ -10,7 +10,7 @@ use super::scaling::Scaling;
 use super::settings::{Given, Value};
 use super::vendor::{Action, Filter, Number, Off, Scale, Vendor};
 use super::weights;
-use crate::model::Controller;
+use crate::model::{Controller, DerivativeFilter};
 
 /// One parameter, as it is typed.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -91,7 +91,7 @@ fn law(vendor: &Vendor, design: &Controller, scaling: &Scaling) -> Result<Vec<Pa
         gain: design.proportional_gain(),
         ti: design.integral_time(),
         td: design.derivative_time(),
-        tf: design.derivative_filter().map(|filter| filter.time()),
+        tf: design.derivative_filter().map(DerivativeFilter::time),
     };
     if vendor.action == Action::ReverseOnly && terms.gain < 0.0 {
         return Err(Refusal::because(
@@ -239,7 +239,7 @@ fn differences(design: &Controller, run: &Controller) -> Vec<String> {
     if design.output_filter().is_some() {
         cannot.push("It has no filter of the whole output: a1 and a2 are left out.".to_owned());
     }
-    let time = |controller: &Controller| controller.derivative_filter().map(|filter| filter.time());
+    let time = |controller: &Controller| controller.derivative_filter().map(DerivativeFilter::time);
     match (design.derivative_time().and(time(design)), time(run)) {
         (None, Some(tf)) => cannot.push(format!("It has no unfiltered derivative: Tf is {tf} s.")),
         (Some(tf), None) => cannot.push(format!(

@@ -1,6 +1,6 @@
 //! The registered blocks, one file each.
 //!
-//! A test (`tests/vendors.rs`) keeps the lines below in step with the folder: never edit them by hand.
+//! A test (`tests/vendors`) keeps the lines below in step with the folder: never edit them by hand.
 
 use super::conversion::Vendor;
 
