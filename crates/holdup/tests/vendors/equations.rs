@@ -160,6 +160,12 @@ fn printed_further(id: &str, at: &At<'_>) -> Complex64 {
             let derivative = s * n("pid_Kd") / (s * n("smooth_time") + 1.0) * pv;
             (e * n("pid_Kp") + e / s * n("pid_Ki") - derivative) / 255.0 * op_span
         }
+        "ge-pid-isa" => {
+            let counts = |name: &str, steps: f64| n(name) / steps;
+            let d = if w("Config Word bit 2") == "0" { e } else { -pv };
+            let sum = e + e / s * counts("Ki", 1000.0) + s * counts("Kd", 100.0) * d;
+            sum * counts("Kp", 100.0) * percent * direct(w("Config Word bit 0") == "1")
+        }
         "codesys-util-pid" => (e + e / (s * n("TN")) + s * n("TV") * e) * n("KP"),
         "beckhoff-ctrl-pid" => {
             let of = |name: &str| if w(name) == "TRUE" { -pv } else { e };
@@ -229,6 +235,10 @@ fn numbers_that_the_manuals_print() {
         assert_eq!(value(name), Value::Number(f64::from(word)), "{name}");
     }
     assert_eq!((value("alpha"), value("forward")), (Value::Number(0.65), Value::Word("0")));
+    // GFK-2950C, 7.2.2: Kp entered as 450 is 4.50; GFK-1503E, word 8: Ki entered as 1400 is 1.400 repeats a second.
+    let ge = vendor("ge-pid-isa").unwrap();
+    let pi = read(ge, &Given::read(ge, &["Kp=450,Ki=1400"]).unwrap(), &scaling(100.0, 100.0)).unwrap();
+    assert_eq!((pi.proportional_gain(), pi.integral_time()), (4.5, Some(1.0 / 1.4)));
     // CENTUM: proportional band 100/Kc; 20 % is a gain of 5.
     let centum = vendor("yokogawa-centum").unwrap();
     let pi = read(centum, &Given::read(centum, &["P=20,I=60"]).unwrap(), &scaling(100.0, 100.0)).unwrap();

@@ -4,6 +4,8 @@ use holdup::deploy::conversion::{Action, Filter, Given, Kind, Sheet, Value, Vend
 use holdup::model::notation::read_controller;
 use holdup::model::{Controller, DerivativeFilter, Seconds};
 
+use proptest::prelude::*;
+
 use crate::{scaling, sheets};
 
 fn given(vendor: &Vendor, sheet: &Sheet) -> Given {
@@ -150,4 +152,36 @@ fn compensators_and_complex_zeros_are_refused_with_the_reason() {
     }
     let plain = vendors().iter().filter(|vendor| matches!(vendor.integral.kind, Kind::Gain(_)));
     assert_eq!(plain.count(), 4);
+}
+
+proptest! {
+    #[test]
+    fn whatever_the_numbers_every_block_answers_with_finite_ones_or_refuses(
+        gain in any::<f64>(), ti in any::<f64>(), td in any::<f64>(), tf in any::<f64>(),
+        b in any::<f64>(), c in any::<f64>(), terms in 0..8_u8, pv in 1e-300..1e300_f64,
+    ) {
+        let build = || -> Result<Controller, holdup::model::ModelError> {
+            let mut controller = Controller::proportional(gain)?;
+            if terms & 1 != 0 {
+                controller = controller.with_integral_time(Seconds(ti.abs()))?;
+            }
+            if terms & 2 != 0 {
+                controller = controller.with_derivative_time(Seconds(td.abs()))?;
+            }
+            if terms & 4 != 0 {
+                controller = controller.with_filter_time(Seconds(tf.abs()))?;
+            }
+            controller.with_setpoint_weights(b, c)
+        };
+        let Ok(controller) = build() else { return Ok(()) };
+        for &vendor in vendors() {
+            match convert(vendor, &controller, &scaling(pv + 1.0, 80.0)).sheet {
+                Ok(sheet) => {
+                    let finite = |value| !matches!(value, Value::Number(number) if !f64::is_finite(number));
+                    prop_assert!(sheet.parameters.iter().all(|p| finite(p.value)), "{}: {:?}", vendor.id, sheet);
+                }
+                Err(refusal) => prop_assert!(!refusal.reason.contains('\n')),
+            }
+        }
+    }
 }

@@ -72,6 +72,12 @@ fn sheet(vendor: &Vendor, design: &Controller, scaling: &Scaling) -> Result<Shee
         return Err(Refusal::because("a PID block cannot run a dead-time compensator: see 'holdup export'"));
     }
     let mut parameters = law(vendor, design, scaling)?;
+    let finite =
+        |parameter: &Parameter| !matches!(parameter.value, Value::Number(number) if !number.is_finite());
+    if let Some(parameter) = parameters.iter().find(|parameter| !finite(parameter)) {
+        let reason = format!("{} would be out of the reach of double precision", parameter.name);
+        return Err(Refusal::because(reason));
+    }
     let typed = Given::of(parameters.iter().map(|parameter| (parameter.name, parameter.value)));
     let run = read(vendor, &typed, scaling)
         .map_err(|error| Refusal::because(format!("the block does not take these numbers: {error}")))?;

@@ -11,6 +11,7 @@ mod codesys_util_pid;
 mod emerson_deltav_series;
 mod emerson_deltav_standard;
 mod esphome_pid;
+mod ge_pid_isa;
 mod honeywell_experion;
 mod honeywell_interactive;
 mod klipper_heater;
@@ -31,6 +32,7 @@ pub(super) static REGISTRY: &[&Vendor] = &[
     &emerson_deltav_series::ENTRY,
     &emerson_deltav_standard::ENTRY,
     &esphome_pid::ENTRY,
+    &ge_pid_isa::ENTRY,
     &honeywell_experion::ENTRY,
     &honeywell_interactive::ENTRY,
     &klipper_heater::ENTRY,
