@@ -21,7 +21,7 @@ pub(in crate::deploy) static ENTRY: Vendor = Vendor {
     equation: "Out = Gain·[(Beta·SP − PV) + (SP − PV)/(Ti·s) − Td·s/(TfDerivative·s + 1)·PV], in percent of span",
     source: Source {
         citation: "ABB System 800xA Control, AC 800M Binary and Analog Handling, 3BSE035981",
-        read: "nothing: equation, names and scaling are from memory",
+        read: "nothing: equation, names, scaling and the number of the manual are from memory",
     },
     input: Scale::Span(100.0),
     output: Scale::Span(100.0),

@@ -11,7 +11,7 @@
 //! The derivative gain is 8.
 //!
 //! # Reference
-//! CENTUM VP reference, function blocks, PID controller block (IM 33J15A); the basic algorithms as in Yokogawa IM
+//! CENTUM VP reference, function blocks, PID controller block; the basic algorithms as in Yokogawa IM
 //! 21B04C01-01E, 16.5, and IM 01C50T02-01E, A4.4.
 
 use crate::deploy::conversion::{
@@ -26,8 +26,7 @@ pub(in crate::deploy) static ENTRY: Vendor = Vendor {
     equation: "MV = (100/P)·[E + (1/I)·∫E dt + D·s/(D·s/8 + 1)·E], in percent of span",
     source: Source {
         citation: "Yokogawa CENTUM VP function block reference, PID block; algorithms as in IM 21B04C01-01E, 16.5",
-        read: "P as proportional band with its range, I and D in seconds with ranges, I-PD and PI-D; the derivative gain \
-               of 8 and that I = 0 cannot be typed are from memory",
+        read: "P as proportional band with its range, I and D in seconds with ranges, I-PD and PI-D; the derivative gain of 8, the names of the scales and that I = 0 cannot be typed are from memory",
     },
     input: Scale::Span(100.0),
     output: Scale::Span(100.0),
