@@ -22,7 +22,8 @@ pub(in crate::deploy) static ENTRY: Vendor = Vendor {
     equation: "Y = fKp·[E + E/(tTn·s) + tTv·s/(tTd·s + 1)·E]",
     source: Source {
         citation: "Beckhoff TwinCAT 3 Controller Toolbox, TF4100, FB_CTRL_PID",
-        read: "additive form, the two switches and their defaults; the names of the times and their zeros are from memory",
+        read: "additive form, the two switches and their defaults; the names of the times and their zeros are \
+               from memory",
     },
     input: Scale::Engineering,
     output: Scale::Engineering,

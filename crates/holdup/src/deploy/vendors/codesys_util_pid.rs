@@ -22,7 +22,8 @@ pub(in crate::deploy) static ENTRY: Vendor = Vendor {
     equation: "Y = Y_OFFSET + KP·[E + (1/TN)·∫E dt + TV·dE/dt], E = SET_POINT − ACTUAL",
     source: Source {
         citation: "CODESYS library Util, PID; Weidmüller UC20-WL2000-AC documentation, PID",
-        read: "names, ideal form, seconds, TN greater than 0, sign by KP; that the derivative is not filtered is from memory",
+        read: "names, ideal form, seconds, TN greater than 0, sign by KP; that the derivative is not filtered \
+               is from memory",
     },
     input: Scale::Engineering,
     output: Scale::Engineering,

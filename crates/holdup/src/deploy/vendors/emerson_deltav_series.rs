@@ -26,7 +26,9 @@ pub(in crate::deploy) static ENTRY: Vendor = Vendor {
     equation: "OUT = GAIN·(1 + 1/(Tr·s))·(Td·s + 1)/(ALPHA·Td·s + 1)·E(s), in percent of span",
     source: Source {
         citation: "DeltaV Books Online, PID function block; Rosemount 00809-0500-4880, figure 8-13",
-        read: "that there is a series form, ALPHA with default and range, sign; where the lead stands, the names of scales and options, the words of STRUCTURE and that a RESET of 0 is no integral action are from memory",
+        read: "that there is a series form, ALPHA with default and range, sign; where the lead stands, the \
+               names of scales and options, the words of STRUCTURE and that a RESET of 0 is no integral action \
+               are from memory",
     },
     input: Scale::Span(100.0),
     output: Scale::Span(100.0),

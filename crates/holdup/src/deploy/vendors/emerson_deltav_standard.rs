@@ -23,8 +23,8 @@ pub(in crate::deploy) static ENTRY: Vendor = Vendor {
     equation: "OUT = GAIN·[P(s) + E(s)/(Tr·s) + Td·s/(ALPHA·Td·s + 1)·D(s)], in percent of span",
     source: Source {
         citation: "DeltaV Books Online, PID function block; Rosemount 00809-0500-4880, figure 8-13",
-        read: "forms, ALPHA with default and range, BETA and GAMMA, sign; the names of scales and options, the words of STRUCTURE and that a RESET of 0 \
-               is no integral action are from memory",
+        read: "forms, ALPHA with default and range, BETA and GAMMA, sign; the names of scales and options, the \
+               words of STRUCTURE and that a RESET of 0 is no integral action are from memory",
     },
     input: Scale::Span(100.0),
     output: Scale::Span(100.0),

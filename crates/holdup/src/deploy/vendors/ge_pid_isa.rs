@@ -25,8 +25,8 @@ pub(in crate::deploy) static ENTRY: Vendor = Vendor {
     equation: "PID Output = Kc·(Error + Error·dt/Ti + Td·Derivative) + CV Bias, in counts",
     source: Source {
         citation: "GE PACSystems GFK-2950C, sections 7.2.2 and 7.4; VersaMax GFK-1503E, PID, word 8",
-        read: "equation, step and coding of Kp, Ki as 1/Ti with its step and range; the step of Kd and the bits of the \
-               Config Word are from memory",
+        read: "equation, step and coding of Kp, Ki as 1/Ti with its step and range; the step of Kd and the bits \
+               of the Config Word are from memory",
     },
     input: Scale::Span(32_000.0),
     output: Scale::Span(32_000.0),

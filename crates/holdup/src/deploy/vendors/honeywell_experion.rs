@@ -23,7 +23,8 @@ pub(in crate::deploy) static ENTRY: Vendor = Vendor {
     equation: "CV = K·[1 + 1/(T1·s) + T2·s/(1 + T2·s/16)]·(SP − PV), equation A, in percent of span",
     source: Source {
         citation: "Honeywell Experion Control Builder Components Theory, R300.1, PID block",
-        read: "only that the manual has this block; equations, names and the rate amplitude of 1/16 are from memory",
+        read: "only that the manual has this block; equations, names and the rate amplitude of 1/16 are from \
+               memory",
     },
     input: Scale::Span(100.0),
     output: Scale::Span(100.0),

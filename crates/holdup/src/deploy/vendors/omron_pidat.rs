@@ -24,8 +24,8 @@ pub(in crate::deploy) static ENTRY: Vendor = Vendor {
     equation: "MV = (100/P)·[(1 − α)·SV − PV + (SV − PV)/(Ti·s) − Td·s·PV], in percent of range",
     source: Source {
         citation: "Omron CS/CJ/NSJ Series Instructions Reference Manual, W474, PIDAT",
-        read: "words and units of the parameters, their steps and ranges, the codes for none, α and its normal value; \
-               that α is 1 − b and that the derivative is of the measurement are from memory",
+        read: "words and units of the parameters, their steps and ranges, the codes for none, α and its normal \
+               value; that α is 1 − b and that the derivative is of the measurement are from memory",
     },
     input: Scale::Span(100.0),
     output: Scale::Span(100.0),

@@ -26,7 +26,8 @@ pub(in crate::deploy) static ENTRY: Vendor = Vendor {
     equation: "y = Kp·[(b·w − x) + 1/(TI·s)·(w − x) + TD·s/(a·TD·s + 1)·(c·w − x)]",
     source: Source {
         citation: "SIMATIC S7-1200, S7-1500 PID control, Function Manual A5E35300227-AC (03/2017), PID_Compact V2",
-        read: "equation, names, defaults, ranges, sign; that the gain is in percent per physical unit is from memory",
+        read: "equation, names, defaults, ranges, sign; that the gain is in percent per physical unit is from \
+               memory",
     },
     input: Scale::Engineering,
     output: Scale::Span(100.0),

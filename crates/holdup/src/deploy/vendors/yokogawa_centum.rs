@@ -26,7 +26,8 @@ pub(in crate::deploy) static ENTRY: Vendor = Vendor {
     equation: "MV = (100/P)·[E + (1/I)·∫E dt + D·s/(D·s/8 + 1)·E], in percent of span",
     source: Source {
         citation: "Yokogawa CENTUM VP function block reference, PID block; algorithms as in IM 21B04C01-01E, 16.5",
-        read: "P as proportional band with its range, I and D in seconds with ranges, I-PD and PI-D; the derivative gain of 8, the names of the scales and that I = 0 cannot be typed are from memory",
+        read: "P as proportional band with its range, I and D in seconds with ranges, I-PD and PI-D; the \
+               derivative gain of 8, the names of the scales and that I = 0 cannot be typed are from memory",
     },
     input: Scale::Span(100.0),
     output: Scale::Span(100.0),
