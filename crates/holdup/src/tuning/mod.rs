@@ -28,6 +28,7 @@ mod parameters;
 mod published;
 mod range;
 pub mod ranking;
+pub mod robust;
 mod rules;
 mod specification;
 
