@@ -7,6 +7,7 @@ mod man;
 mod ranking;
 mod region;
 mod reproduce;
+pub(crate) mod robust;
 mod rule_page;
 mod rules;
 mod simulate;
@@ -26,6 +27,7 @@ pub(crate) fn run(command: &Command, console: Console) -> Result<Answer, Fault> 
         Command::Region(args) => region::run(args, console),
         Command::Simulate(args) => simulate::run(args, console),
         Command::Compare(args) => compare::run(args, console),
+        Command::Robust(args) => robust::run(args, console),
         Command::Reproduce(args) => reproduce::run(args, console),
         Command::Completions(args) => completions::run(args),
         Command::Man => man::run(),

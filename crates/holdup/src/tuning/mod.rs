@@ -24,6 +24,7 @@ mod expression;
 mod formula;
 pub mod frontier;
 mod nearest;
+pub mod optimise;
 mod parameters;
 mod published;
 mod range;

@@ -38,6 +38,9 @@ pub struct InfiniteHorizon {
     pub iae: Option<f64>,
     /// Bound on the part of `iae` that is left out, as a ratio of it; absent where none is proven.
     pub tail: Option<f64>,
+    /// Integral of the squared error [output unit² · s], up to the horizon: what is left out is below `tail²` in the same
+    /// proportion; absent where `iae` is.
+    pub ise: Option<f64>,
     /// Total variation of the controller output [input unit], up to the horizon.
     pub total_variation: Option<f64>,
     /// Integral of the squared controller output [input unit² · s], up to the horizon.
@@ -93,6 +96,7 @@ pub fn to_infinity(
     if let Some(why) = lasting_error(controller, input) {
         return Ok(InfiniteHorizon {
             iae: None,
+            ise: None,
             tail: None,
             total_variation: None,
             control_energy: None,
@@ -181,6 +185,7 @@ fn integrals(
     let control_energy = metrics.control_energy.filter(|_| input == Input::Setpoint);
     Ok(InfiniteHorizon {
         iae: metrics.iae,
+        ise: metrics.ise.filter(|_| metrics.iae.is_some()),
         tail,
         total_variation: metrics.total_variation,
         control_energy,
