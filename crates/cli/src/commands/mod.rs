@@ -4,6 +4,7 @@ mod analyse;
 mod compare;
 mod completions;
 mod man;
+pub(crate) mod optimise;
 mod ranking;
 mod region;
 mod reproduce;
@@ -27,6 +28,7 @@ pub(crate) fn run(command: &Command, console: Console) -> Result<Answer, Fault> 
         Command::Region(args) => region::run(args, console),
         Command::Simulate(args) => simulate::run(args, console),
         Command::Compare(args) => compare::run(args, console),
+        Command::Optimise(args) => optimise::run(args, console),
         Command::Robust(args) => robust::run(args, console),
         Command::Reproduce(args) => reproduce::run(args, console),
         Command::Completions(args) => completions::run(args),

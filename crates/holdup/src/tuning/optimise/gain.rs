@@ -10,12 +10,21 @@ use crate::model::{ClosedLoop, Controller};
 /// The gains that are tried first, in units of 1/(K·d): from the greatest that any loop of these structures bears down to
 /// one that is hardly control, a ratio apart.
 const GREATEST: f64 = 2.0;
-const LEAST: f64 = 1e-3;
-const RATIO: f64 = 0.84;
-/// Relative width at which an end of an interval of gains is found.
-const END: f64 = 1e-12;
-/// Relative width at which the best gain inside an interval is found: the value is flat there, so that 1e-12 of it remain.
-const INSIDE: f64 = 1e-6;
+const LEAST: f64 = 2e-3;
+const RATIO: f64 = 0.6;
+
+/// How closely the best gain is found: relative widths of the end of an interval of gains, and of a minimum inside, where
+/// the value is flat, so that the square of the width remains.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Precision {
+    end: f64,
+    inside: f64,
+}
+
+/// While the times are searched.
+pub(super) const SEARCHING: Precision = Precision { end: 1e-9, inside: 3e-4 };
+/// For the optimum.
+pub(super) const POLISHED: Precision = Precision { end: 1e-12, inside: 1e-6 };
 
 /// A controller and its value.
 #[derive(Debug, Clone, Copy)]
@@ -28,6 +37,7 @@ pub(super) struct Gains<'a> {
     pub(super) design: &'a Design,
     pub(super) limits: &'a Limits,
     pub(super) objective: Objective,
+    pub(super) precision: Precision,
 }
 
 impl Gains<'_> {
@@ -49,8 +59,8 @@ impl Gains<'_> {
                 keeps[index..].iter().position(|keep| !keep).map_or(gains.len(), |length| index + length) - 1;
             let high = if index == 0 { gains[0] } else { self.end(parts, gains[index], gains[index - 1]) };
             let low =
-                gains.get(last + 1).map_or(gains[last], |&outside| self.end(parts, gains[last], outside));
-            let found = self.inside(parts, low, high);
+                || gains.get(last + 1).map_or(gains[last], |&outside| self.end(parts, gains[last], outside));
+            let found = self.inside(parts, &low, high);
             if let Some(found) = found.filter(|found| best.is_none_or(|best| found.value < best.value)) {
                 best = Some(found);
             }
@@ -67,7 +77,7 @@ impl Gains<'_> {
 
     /// The gain between one that keeps the limits and one that does not, on the side that does.
     fn end(&self, parts: &[f64], mut inside: f64, mut outside: f64) -> f64 {
-        while (outside - inside).abs() > END * inside {
+        while (outside - inside).abs() > self.precision.end * inside {
             let middle = f64::midpoint(inside, outside);
             if middle == inside || middle == outside {
                 break;
@@ -78,21 +88,21 @@ impl Gains<'_> {
     }
 
     /// The best gain of an interval, which is an end or a minimum inside: golden section, the value taken as having one.
-    fn inside(&self, parts: &[f64], low: f64, high: f64) -> Option<Candidate> {
+    fn inside(&self, parts: &[f64], low: &dyn Fn() -> f64, high: f64) -> Option<Candidate> {
         let at = |gain: f64| self.candidate(parts, gain);
         let value = |candidate: &Option<Candidate>| candidate.map_or(f64::INFINITY, |found| found.value);
         let mut best = at(high);
         // Most often the value falls up to the greatest gain that is allowed.
-        let near = high - 1e-4 * (high - low);
-        let falling = at(near);
+        let falling = at(high * (1.0 - 1e-4));
         if value(&falling) > value(&best) {
             return best;
         }
+        let low = low();
         let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
         let (mut a, mut b) = (low, high);
         let (mut c, mut d) = (b - golden * (b - a), a + golden * (b - a));
         let (mut at_c, mut at_d) = (at(c), at(d));
-        while b - a > INSIDE * b {
+        while b - a > self.precision.inside * b {
             if value(&at_c) <= value(&at_d) {
                 (b, d, at_d) = (d, c, at_c);
                 c = b - golden * (b - a);

@@ -5,7 +5,7 @@ use super::limits::{Limits, Quantity};
 use crate::analysis::bounds::Bounds;
 use crate::analysis::frequency::family::Family;
 use crate::analysis::frequency::margins;
-use crate::analysis::infinite_horizon::{InfiniteHorizon, Input, to_infinity};
+use crate::analysis::infinite_horizon::{InfiniteHorizon, Input, to_infinity_unproven};
 use crate::analysis::response::Scenario;
 use crate::model::{ClosedLoop, Controller, Process, Seconds};
 use crate::tuning::robust::largest_family;
@@ -128,9 +128,9 @@ fn filtered(design: &Design) -> bool {
     design.variables.contains(&super::design::Variable::FilterRatio)
 }
 
-/// Integrals over all time.
+/// Integrals over all time, without the proof of the rest: the optimum gets that at the end.
 pub(super) fn integrals(process: &Process, controller: &Controller, input: Input) -> Option<InfiniteHorizon> {
-    to_infinity(process, controller, input).ok()
+    to_infinity_unproven(process, controller, input).ok()
 }
 
 /// The least IAE that any controller has after a unit step.

@@ -6,20 +6,23 @@ use rayon::prelude::*;
 use thiserror::Error;
 
 use super::design::{Design, Structure};
-use super::gain::{Candidate, Gains, OUTSIDE};
+use super::gain::{Candidate, Gains, OUTSIDE, POLISHED, SEARCHING};
 use super::infeasible::{Conflict, conflict};
 use super::limits::{Limits, Quantity};
 use super::objective::Objective;
 use super::simplex::minimise;
 use crate::analysis::frequency::{FrequencyError, Margins, margins};
-use crate::analysis::infinite_horizon::{InfiniteHorizon, Input};
+use crate::analysis::infinite_horizon::{InfiniteHorizon, Input, to_infinity};
 use crate::model::{ClosedLoop, Controller, Process};
 
 /// Starts for each variable, and one more.
-const STARTS: usize = 5;
+const STARTS: usize = 2;
 /// Points of the sweep for each variable, as a power.
-const SWEEP: usize = 12;
-const SWEEP_MOST: usize = 400;
+const SWEEP: usize = 10;
+const SWEEP_MOST: usize = 120;
+/// Size of the simplex at which a search ends, and at which the polishing of the best does.
+const SEARCHED: f64 = 1e-5;
+const FINEST: f64 = 1e-9;
 /// Relative difference up to which two starts have found the same.
 const AGREE: f64 = 1e-5;
 
@@ -90,7 +93,7 @@ pub fn optimise(
         return Err(OptimiseError::Infeasible(conflict(&design, limits)));
     };
     let controller = found.best.controller;
-    let integrals = |input| super::objective::integrals(process, &controller, input);
+    let integrals = |input| to_infinity(process, &controller, input).ok();
     Ok(Optimum {
         controller,
         value: found.best.value,
@@ -117,7 +120,7 @@ pub(super) struct Found {
 
 /// Sweeps, searches from the best points of the sweep, and from others.
 pub(super) fn find(design: &Design, objective: Objective, limits: &Limits) -> Option<Found> {
-    let gains = Gains { design, limits, objective };
+    let gains = Gains { design, limits, objective, precision: SEARCHING };
     let count = design.variables.len();
     let swept = AtomicUsize::new(0);
     let value = |parts: &[f64]| gains.best(parts).map_or(f64::INFINITY, |found| found.value);
@@ -141,12 +144,15 @@ pub(super) fn find(design: &Design, objective: Objective, limits: &Limits) -> Op
     } else {
         starts(&sweep, STARTS * count + 1)
             .into_par_iter()
-            .map(|start| minimise(&start, 0.12, &value))
+            .map(|start| minimise(&start, 0.12, SEARCHED, &value))
             .collect()
     };
     let finite: Vec<&(Vec<f64>, f64)> = ends.iter().filter(|end| end.1 < OUTSIDE).collect();
     let (parts, least) = finite.iter().min_by(|a, b| a.1.total_cmp(&b.1)).copied()?.clone();
     let agreeing = finite.iter().filter(|end| end.1 - least <= AGREE * least.abs()).count();
+    let gains = Gains { precision: POLISHED, ..gains };
+    let value = |parts: &[f64]| gains.best(parts).map_or(f64::INFINITY, |found| found.value);
+    let parts = if count == 0 { parts } else { minimise(&parts, 1e-3, FINEST, &value).0 };
     let best = gains.best(&parts)?;
     Some(Found { best, parts, starts: finite.len(), agreeing, swept: swept.into_inner(), least_swept })
 }

@@ -2,19 +2,22 @@
 //! until that gains nothing: the value has kinks where two peaks are equally high.
 
 /// Relative gain of a new start below which the search ends.
-const GAIN: f64 = 1e-10;
-/// Size of the simplex at which a search ends.
-const FINEST: f64 = 1e-9;
+const GAIN: f64 = 1e-8;
 /// Steps of one search and searches in a row.
-const STEPS: usize = 240;
-const SEARCHES: usize = 6;
+const STEPS: usize = 120;
+const SEARCHES: usize = 2;
 
-/// The least value found from a start, and where.
-pub(super) fn minimise(start: &[f64], size: f64, value: &(dyn Fn(&[f64]) -> f64 + Sync)) -> (Vec<f64>, f64) {
+/// The least value found from a start, and where; a search ends when the simplex is as small as `finest`.
+pub(super) fn minimise(
+    start: &[f64],
+    size: f64,
+    finest: f64,
+    value: &(dyn Fn(&[f64]) -> f64 + Sync),
+) -> (Vec<f64>, f64) {
     let mut best = (start.to_vec(), value(start));
     let mut size = size;
     for _ in 0..SEARCHES {
-        let found = search(&best.0, size, value);
+        let found = search(&best.0, size, finest, value);
         let gained = best.1 - found.1;
         let done = !(gained > GAIN * found.1.abs());
         if found.1 < best.1 {
@@ -28,7 +31,7 @@ pub(super) fn minimise(start: &[f64], size: f64, value: &(dyn Fn(&[f64]) -> f64 
     best
 }
 
-fn search(start: &[f64], size: f64, value: &(dyn Fn(&[f64]) -> f64 + Sync)) -> (Vec<f64>, f64) {
+fn search(start: &[f64], size: f64, finest: f64, value: &(dyn Fn(&[f64]) -> f64 + Sync)) -> (Vec<f64>, f64) {
     let count = start.len();
     let inside = |point: Vec<f64>| -> Vec<f64> { point.into_iter().map(|x| x.clamp(0.0, 1.0)).collect() };
     let mut corners: Vec<(Vec<f64>, f64)> = vec![(start.to_vec(), value(start))];
@@ -43,7 +46,7 @@ fn search(start: &[f64], size: f64, value: &(dyn Fn(&[f64]) -> f64 + Sync)) -> (
         corners.sort_by(|a, b| a.1.total_cmp(&b.1));
         let spread =
             (0..count).map(|axis| (corners[count].0[axis] - corners[0].0[axis]).abs()).fold(0.0, f64::max);
-        if spread < FINEST {
+        if spread < finest {
             break;
         }
         let centre: Vec<f64> = (0..count)
@@ -96,14 +99,14 @@ mod tests {
             (u + v).abs() * 3.0 + u * u + 0.5 * v * v
         };
         for start in [[0.9, 0.1], [0.0, 0.0], [0.5, 0.5]] {
-            let (at, least) = minimise(&start, 0.2, &value);
+            let (at, least) = minimise(&start, 0.2, 1e-9, &value);
             assert!(least < 1e-8, "{start:?}: {at:?} {least}"); // 1e-9 across the kink, times its slope
         }
     }
 
     #[test]
     fn the_end_of_the_cube_is_reached() {
-        let (at, _) = minimise(&[0.4, 0.4], 0.2, &|x: &[f64]| x[0] - x[1]);
+        let (at, _) = minimise(&[0.4, 0.4], 0.2, 1e-9, &|x: &[f64]| x[0] - x[1]);
         assert_eq!(at, [0.0, 1.0]);
     }
 }

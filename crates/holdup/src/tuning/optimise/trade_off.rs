@@ -1,7 +1,7 @@
 //! The frontier: the best value of the objective for every sensitivity peak.
 
 use super::design::{Design, Structure};
-use super::gain::{Candidate, Gains, OUTSIDE};
+use super::gain::{Candidate, Gains, OUTSIDE, POLISHED};
 use super::limits::{Limits, Quantity};
 use super::objective::Objective;
 use super::search::{OptimiseError, find};
@@ -41,11 +41,11 @@ pub fn trade_off(
     let mut parts: Option<Vec<f64>> = None;
     for (index, &peak) in peaks.iter().enumerate() {
         let limits = limits.clone().with(Quantity::SensitivityPeak, peak);
-        let gains = Gains { design: &design, limits: &limits, objective };
+        let gains = Gains { design: &design, limits: &limits, objective, precision: POLISHED };
         let value = |parts: &[f64]| gains.best(parts).map_or(f64::INFINITY, |found| found.value);
         let mut best: Option<(Vec<f64>, Candidate)> = None;
         if let Some(start) = &parts {
-            let (end, _) = minimise(start, 0.03, &value);
+            let (end, _) = minimise(start, 0.03, 1e-6, &value);
             best = gains.best(&end).map(|candidate| (end, candidate));
         }
         if best.is_none() || index == peaks.len() / 2 || index + 1 == peaks.len() {
