@@ -5,6 +5,9 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
 
+use crate::commands::optimise::OptimiseArgs;
+use crate::commands::robust::RobustArgs;
+
 /// Design, prove and simulate control loops of integrating processes with dead time, exactly.
 #[derive(Debug, Parser)]
 #[command(
@@ -81,6 +84,20 @@ Examples:
 Example:
   holdup compare studies/kadam-2017.toml --report kadam-2017.html")]
     Compare(CompareArgs),
+    /// Find the best controller of a structure under limits on its robustness
+    #[command(after_help = "\
+Examples:
+  holdup optimise -p K=0.0506,d=6 --structure pi --max-sensitivity 1.6
+  holdup optimise -p K=0.0506,d=6 --structure pid --max-sensitivity 1.6 --max-noise-gain 15 --trade-off
+  holdup optimise -p K=0.01,d=5 --objective averaging --load-step 10 --excursion 20")]
+    Optimise(OptimiseArgs),
+    /// Prove what a loop keeps over a range of process gains and dead times, and sample it
+    #[command(after_help = "\
+Examples:
+  holdup robust -p K=0.0506,d=6 -c Kc=1.5,Ti=50 --gain 0.8:1.2 --dead-time 0.8:1.2
+  holdup robust -p K=0.0506,d=6 -c Kc=1.5,Ti=50 --max-sensitivity 2 --samples 0
+  holdup robust -p K=0.0506,d=6 -c Kc=1.5,Ti=50 --load 0:1 --output runs.parquet --plot band.svg")]
+    Robust(RobustArgs),
     /// Recompute every number that a paper prints, and judge each
     #[command(after_help = "Example:\n  holdup reproduce kadam-2017")]
     Reproduce(ReproduceArgs),

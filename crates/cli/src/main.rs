@@ -5,6 +5,7 @@ mod commands;
 mod console;
 mod fault;
 mod input;
+mod progress;
 mod require;
 mod table;
 

@@ -6,9 +6,11 @@ mod compare;
 mod completions;
 mod convert;
 mod man;
+pub(crate) mod optimise;
 mod ranking;
 mod region;
 mod reproduce;
+pub(crate) mod robust;
 mod rule_page;
 mod rules;
 mod simulate;
@@ -28,6 +30,8 @@ pub(crate) fn run(command: &Command, console: Console) -> Result<Answer, Fault> 
         Command::Region(args) => region::run(args, console),
         Command::Simulate(args) => simulate::run(args, console),
         Command::Compare(args) => compare::run(args, console),
+        Command::Optimise(args) => optimise::run(args, console),
+        Command::Robust(args) => robust::run(args, console),
         Command::Reproduce(args) => reproduce::run(args, console),
         Command::Convert(args) => convert::run(args, console),
         Command::Completions(args) => completions::run(args),

@@ -2,6 +2,7 @@
 
 use super::compensator::Compensator;
 use super::error::{ModelError, finite, non_zero, positive};
+use super::process::Process;
 use super::quantity::Seconds;
 
 /// The filter of the derivative action, `Td·s/(Tf·s + 1)`, given as its source gives it.
@@ -252,6 +253,18 @@ impl Controller {
     #[must_use]
     pub fn with_observer(self, observer: Observer) -> Self {
         Self { observer: self.compensator.is_none().then_some(observer), ..self }
+    }
+
+    /// The same controller; its observer gets the model of this process where it has none of its own, and keeps it when
+    /// the process changes.
+    ///
+    /// # Errors
+    /// None for a valid process: [`ModelError`] is passed on from the constructors.
+    pub fn with_model_of(self, process: &Process) -> Result<Self, ModelError> {
+        let Some(observer) = self.observer else { return Ok(self) };
+        let gain = observer.model_gain().unwrap_or(process.process_gain());
+        let dead_time = observer.model_dead_time().unwrap_or(process.dead_time());
+        Ok(self.with_observer(observer.with_model_gain(gain)?.with_model_dead_time(Seconds(dead_time))?))
     }
 
     /// The same controller without its observer.

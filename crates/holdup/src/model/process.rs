@@ -56,6 +56,18 @@ impl Process {
         Ok(Self { lag: Some(positive("lag", lag.0)?), ..self })
     }
 
+    /// The same process with its gain and its dead time multiplied by these factors [–].
+    ///
+    /// # Errors
+    /// [`ModelError::OutOfRange`] if the gain becomes 0, or the dead time is not positive or not finite.
+    pub fn perturbed(self, gain_factor: f64, dead_time_factor: f64) -> Result<Self, ModelError> {
+        Ok(Self {
+            process_gain: non_zero("process_gain", self.process_gain * gain_factor)?,
+            dead_time: positive("dead_time", self.dead_time * dead_time_factor)?,
+            ..self
+        })
+    }
+
     /// Process gain K [output unit per (input unit · sⁿ), n the number of integrators].
     #[must_use]
     pub fn process_gain(&self) -> f64 {

@@ -8,6 +8,7 @@ pub mod published;
 #[cfg(feature = "report")]
 pub mod report;
 mod run;
+pub mod runs;
 
 use crate::analysis::response::Scenario;
 use crate::model::settings::Extras;

@@ -23,23 +23,87 @@ use std::process;
 /// # Ok::<(), std::io::Error>(())
 /// ```
 pub fn write_atomically(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
-    let standing = fs::metadata(&path).ok();
-    if standing.as_ref().is_some_and(|there| !there.is_file() && !there.is_dir()) {
-        return fs::write(&path, bytes);
+    let mut file = WholeFile::create(path)?;
+    file.write_all(bytes)?;
+    file.commit()
+}
+
+/// A file that is written piece by piece and appears whole, when it is committed, or not at all.
+///
+/// # Examples
+/// ```
+/// use std::io::Write;
+/// let path = std::env::temp_dir().join(format!("holdup-whole-{}.txt", std::process::id()));
+/// let mut file = holdup::study::output::WholeFile::create(&path)?;
+/// file.write_all(b"first, ")?;
+/// assert!(!path.exists());
+/// file.write_all(b"second")?;
+/// file.commit()?;
+/// assert_eq!(std::fs::read(&path)?, b"first, second");
+/// std::fs::remove_file(&path)?;
+/// # Ok::<(), std::io::Error>(())
+/// ```
+#[derive(Debug)]
+pub struct WholeFile {
+    file: File,
+    /// Where the bytes go and what they replace; absent where they go to what is no file, directly.
+    names: Option<(PathBuf, PathBuf)>,
+}
+
+impl WholeFile {
+    /// Opens the temporary file that becomes `path`.
+    ///
+    /// # Errors
+    /// Whatever the file system says.
+    pub fn create(path: &Path) -> io::Result<Self> {
+        let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
+        let standing = fs::metadata(&path).ok();
+        if standing.as_ref().is_some_and(|there| !there.is_file() && !there.is_dir()) {
+            let file = File::options().write(true).open(&path)?;
+            return Ok(Self { file, names: None });
+        }
+        if standing.as_ref().is_some_and(fs::Metadata::is_dir) {
+            return Err(io::Error::new(io::ErrorKind::IsADirectory, "is a directory"));
+        }
+        let temporary = temporary_beside(&path)?;
+        let file = File::create(&temporary)?;
+        let whole = Self { file, names: Some((temporary, path)) };
+        if let Some(there) = standing {
+            whole.file.set_permissions(there.permissions())?;
+        }
+        Ok(whole)
     }
-    let temporary = temporary_beside(&path)?;
-    let written = write_new(&temporary, bytes)
-        .and_then(|()| match &standing {
-            Some(there) if there.is_file() => fs::set_permissions(&temporary, there.permissions()),
-            _ => Ok(()),
-        })
-        .and_then(|()| fs::rename(&temporary, &path));
-    if written.is_err() {
-        // The first error is the one to tell; a file that was never created cannot be removed.
-        let _ = fs::remove_file(&temporary);
+
+    /// Flushes the bytes to the disk and renames the file over its path.
+    ///
+    /// # Errors
+    /// Whatever the file system says; the temporary file is gone by then and an earlier file is untouched.
+    pub fn commit(mut self) -> io::Result<()> {
+        let Some((temporary, path)) = &self.names else { return self.file.flush() };
+        self.file.sync_all()?;
+        fs::rename(temporary, path)?;
+        self.names = None;
+        Ok(())
     }
-    written
+}
+
+impl Write for WholeFile {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.file.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.file.flush()
+    }
+}
+
+impl Drop for WholeFile {
+    fn drop(&mut self) {
+        if let Some((temporary, _)) = &self.names {
+            // Whatever kept the file from being committed is the error to tell.
+            let _ = fs::remove_file(temporary);
+        }
+    }
 }
 
 /// The name is hidden and carries the process, so that two runs that write the same file do not meet.
@@ -51,12 +115,6 @@ fn temporary_beside(path: &Path) -> io::Result<PathBuf> {
     hidden.push(name);
     hidden.push(format!(".{}.tmp", process::id()));
     Ok(path.with_file_name(hidden))
-}
-
-fn write_new(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let mut file = File::create(path)?;
-    file.write_all(bytes)?;
-    file.sync_all()
 }
 
 #[cfg(test)]

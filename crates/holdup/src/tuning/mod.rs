@@ -24,10 +24,12 @@ mod expression;
 mod formula;
 pub mod frontier;
 mod nearest;
+pub mod optimise;
 mod parameters;
 mod published;
 mod range;
 pub mod ranking;
+pub mod robust;
 mod rules;
 mod specification;
 

@@ -6,6 +6,7 @@
 mod characteristic;
 mod envelope;
 mod error;
+pub mod family;
 mod functions;
 mod lifted;
 mod margins;

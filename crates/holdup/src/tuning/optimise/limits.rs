@@ -1,0 +1,139 @@
+//! Limits that a loop must keep.
+
+use std::fmt;
+
+use crate::analysis::frequency::Margins;
+use crate::model::Controller;
+
+/// What is limited.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Quantity {
+    /// Sensitivity peak M_s \[–\], at most.
+    SensitivityPeak,
+    /// Complementary sensitivity peak M_t \[–\], at most.
+    ComplementarySensitivityPeak,
+    /// Gain margin \[–\], at least.
+    GainMargin,
+    /// Phase margin \[rad\], at least.
+    PhaseMargin,
+    /// Delay margin \[s\], at least.
+    DelayMargin,
+    /// Gain from measurement to controller output at high frequency \[input/output unit\], at most.
+    NoiseGain,
+    /// IAE after a unit load step \[output unit · s\], at most.
+    LoadIae,
+    /// IAE after a unit setpoint step \[output unit · s\], at most.
+    SetpointIae,
+}
+
+impl Quantity {
+    /// Its name in the JSON and, with hyphens, on the command line.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::SensitivityPeak => "sensitivity_peak",
+            Self::ComplementarySensitivityPeak => "complementary_sensitivity_peak",
+            Self::GainMargin => "gain_margin",
+            Self::PhaseMargin => "phase_margin_deg",
+            Self::DelayMargin => "delay_margin_s",
+            Self::NoiseGain => "noise_gain",
+            Self::LoadIae => "load_iae",
+            Self::SetpointIae => "setpoint_iae",
+        }
+    }
+
+    /// Whether the limit is a greatest value; else it is a least one.
+    #[must_use]
+    pub fn is_greatest(self) -> bool {
+        !matches!(self, Self::GainMargin | Self::PhaseMargin | Self::DelayMargin)
+    }
+
+    /// A value for reading: degrees for an angle.
+    #[must_use]
+    pub fn shown(self, value: f64) -> f64 {
+        if self == Self::PhaseMargin { value.to_degrees() } else { value }
+    }
+
+    /// The value of a stable loop that costs no simulation; infinite where there is none to lose.
+    pub(super) fn of(self, controller: &Controller, achieved: &Margins) -> Option<f64> {
+        let unlimited = |value: Option<f64>| Some(value.unwrap_or(f64::INFINITY));
+        match self {
+            Self::SensitivityPeak => unlimited(achieved.sensitivity_peak),
+            Self::ComplementarySensitivityPeak => unlimited(achieved.complementary_sensitivity_peak),
+            Self::GainMargin => unlimited(achieved.gain_margin),
+            // A negative phase margin of a stable loop is lost by less delay: its modulus counts.
+            Self::PhaseMargin => unlimited(achieved.phase_margin.map(|angle| angle.0.abs())),
+            Self::DelayMargin => unlimited(achieved.delay_margin.map(|time| time.0)),
+            Self::NoiseGain => unlimited(controller.noise_gain().map(f64::abs)),
+            Self::LoadIae | Self::SetpointIae => None,
+        }
+    }
+}
+
+/// One limit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Limit {
+    /// What is limited.
+    pub quantity: Quantity,
+    /// The greatest or least value that is allowed, in its unit.
+    pub value: f64,
+}
+
+impl Limit {
+    /// Whether a value keeps the limit.
+    #[must_use]
+    pub fn allows(self, value: f64) -> bool {
+        if self.quantity.is_greatest() { value <= self.value } else { value >= self.value }
+    }
+}
+
+impl fmt::Display for Limit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let sign = if self.quantity.is_greatest() { "<=" } else { ">=" };
+        write!(f, "{} {sign} {}", self.quantity.name(), self.quantity.shown(self.value))
+    }
+}
+
+/// All limits of a design.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Limits {
+    list: Vec<Limit>,
+}
+
+impl Limits {
+    /// These limits and one more; a second limit of a quantity replaces the first.
+    #[must_use]
+    pub fn with(mut self, quantity: Quantity, value: f64) -> Self {
+        self.list.retain(|limit| limit.quantity != quantity);
+        self.list.push(Limit { quantity, value });
+        self
+    }
+
+    /// These limits without that of a quantity.
+    #[must_use]
+    pub fn without(mut self, quantity: Quantity) -> Self {
+        self.list.retain(|limit| limit.quantity != quantity);
+        self
+    }
+
+    /// The limits, in the order in which they were given.
+    #[must_use]
+    pub fn list(&self) -> &[Limit] {
+        &self.list
+    }
+
+    /// The limit of a quantity.
+    #[must_use]
+    pub fn of(&self, quantity: Quantity) -> Option<f64> {
+        self.list.iter().find(|limit| limit.quantity == quantity).map(|limit| limit.value)
+    }
+
+    /// Whether a loop keeps every limit that costs no simulation.
+    pub(super) fn keep(&self, controller: &Controller, achieved: &Margins) -> bool {
+        achieved.stable
+            && self
+                .list
+                .iter()
+                .all(|limit| limit.quantity.of(controller, achieved).is_none_or(|value| limit.allows(value)))
+    }
+}

@@ -1,0 +1,144 @@
+//! What is to be as small as possible.
+
+use super::design::Design;
+use super::limits::{Limits, Quantity};
+use crate::analysis::bounds::Bounds;
+use crate::analysis::frequency::family::Family;
+use crate::analysis::frequency::margins;
+use crate::analysis::infinite_horizon::{InfiniteHorizon, Input, to_infinity_unproven};
+use crate::analysis::response::Scenario;
+use crate::model::{ClosedLoop, Controller, Process, Seconds};
+use crate::tuning::robust::largest_family;
+
+/// What is to be as small as possible.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Objective {
+    /// IAE after a unit load step, over all time \[output unit · s\].
+    LoadIae,
+    /// IAE after a unit setpoint step, over all time \[output unit · s\].
+    SetpointIae,
+    /// Weighted mean of load IAE and setpoint IAE, each as a multiple of the least that any controller has \[–\].
+    Weighted {
+        /// Weight of the load, from 0 to 1; the setpoint has the rest.
+        load: f64,
+    },
+    /// ISE after a unit load step \[output unit² · s\].
+    LoadIse,
+    /// ISE after a unit setpoint step \[output unit² · s\].
+    SetpointIse,
+    /// Integral of the squared controller output after a unit setpoint step \[input unit² · s\].
+    ControlEnergy,
+    /// Total variation of the controller output after a unit load step \[input unit\].
+    TotalVariation,
+    /// The reciprocal of the size of the largest family of processes that keeps a sensitivity peak \[–\].
+    RobustBox {
+        /// Shape of the family.
+        family: Family,
+        /// The sensitivity peak.
+        sensitivity_peak: f64,
+    },
+    /// A limited quantity itself: what is the nearest feasible value?
+    Extreme(Quantity),
+}
+
+impl Objective {
+    /// Its name on the command line and in the JSON.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::LoadIae => "load_iae",
+            Self::SetpointIae => "setpoint_iae",
+            Self::Weighted { .. } => "weighted_iae",
+            Self::LoadIse => "load_ise",
+            Self::SetpointIse => "setpoint_ise",
+            Self::ControlEnergy => "control_energy",
+            Self::TotalVariation => "total_variation",
+            Self::RobustBox { .. } => "robust_box",
+            Self::Extreme(quantity) => quantity.name(),
+        }
+    }
+
+    /// Why this objective has no optimum for this structure under these limits.
+    pub(super) fn degenerate(self, design: &Design, limits: &Limits) -> Option<String> {
+        let structure = design.structure;
+        let of_load = match self {
+            Self::Weighted { load } => load > 0.0,
+            _ => matches!(self, Self::LoadIae | Self::LoadIse | Self::TotalVariation),
+        };
+        if (of_load || limits.of(Quantity::LoadIae).is_some()) && !structure.rejects_load() {
+            return Some(format!(
+                "{} is infinite: a {} controller leaves an error behind after a load step; a structure with integral action or observer is needed",
+                if of_load { self.name() } else { "load_iae" },
+                structure.name()
+            ));
+        }
+        let fast = limits.of(Quantity::LoadIae).or(limits.of(Quantity::SetpointIae));
+        let slow_is_best =
+            matches!(self, Self::ControlEnergy | Self::TotalVariation | Self::RobustBox { .. });
+        if slow_is_best && fast.is_none() {
+            return Some(format!(
+                "{} is least for no control at all: a limit on load_iae or setpoint_iae is needed beside it",
+                self.name()
+            ));
+        }
+        if matches!(self, Self::ControlEnergy) && structure.differentiates() && !filtered(design) {
+            return Some(
+                "control_energy of an unfiltered derivative is infinite after a setpoint step: a limit on noise_gain, which brings a filter, is needed".to_owned(),
+            );
+        }
+        None
+    }
+
+    /// The value for a stable loop; absent where it is infinite or out of reach.
+    pub(super) fn value(self, design: &Design, controller: &Controller) -> Option<f64> {
+        let process = &design.process;
+        let over = |input: Input| integrals(process, controller, input);
+        match self {
+            Self::LoadIae => over(Input::Load)?.iae,
+            Self::SetpointIae => over(Input::Setpoint)?.iae,
+            Self::LoadIse => over(Input::Load)?.ise,
+            Self::SetpointIse => over(Input::Setpoint)?.ise,
+            Self::ControlEnergy => over(Input::Setpoint)?.control_energy,
+            Self::TotalVariation => over(Input::Load)?.total_variation,
+            Self::Weighted { load } => {
+                let part = |weight: f64, input: Input| {
+                    if weight == 0.0 {
+                        return Some(0.0);
+                    }
+                    Some(weight * over(input)?.iae? / least_iae(process, input)?)
+                };
+                Some(part(load, Input::Load)? + part(1.0 - load, Input::Setpoint)?)
+            }
+            Self::RobustBox { family, sensitivity_peak } => {
+                let largest = largest_family(process, controller, &family, sensitivity_peak).ok()??;
+                Some(1.0 / largest.size)
+            }
+            Self::Extreme(Quantity::LoadIae) => over(Input::Load)?.iae,
+            Self::Extreme(Quantity::SetpointIae) => over(Input::Setpoint)?.iae,
+            Self::Extreme(quantity) => {
+                let achieved = margins(&ClosedLoop::new(process, controller)).ok()?;
+                let value = quantity.of(controller, &achieved).filter(|value| value.is_finite())?;
+                Some(if quantity.is_greatest() { value } else { -value })
+            }
+        }
+    }
+}
+
+fn filtered(design: &Design) -> bool {
+    design.variables.contains(&super::design::Variable::FilterRatio)
+}
+
+/// Integrals over all time, without the proof of the rest: the optimum gets that at the end.
+pub(super) fn integrals(process: &Process, controller: &Controller, input: Input) -> Option<InfiniteHorizon> {
+    to_infinity_unproven(process, controller, input).ok()
+}
+
+/// The least IAE that any controller has after a unit step.
+pub(super) fn least_iae(process: &Process, input: Input) -> Option<f64> {
+    let time = Seconds(10.0 * (process.dead_time() + process.lag().unwrap_or(0.0)));
+    let scenario = match input {
+        Input::Load => Scenario::unit_load_step(time),
+        Input::Setpoint => Scenario::unit_setpoint_step(time),
+    };
+    Bounds::of(process, &scenario.ok()?).iae
+}

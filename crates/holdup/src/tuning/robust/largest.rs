@@ -1,0 +1,116 @@
+//! The largest family that keeps a sensitivity peak.
+
+use crate::analysis::frequency::FrequencyError;
+use crate::analysis::frequency::family::{Family, Goal, worst_case};
+use crate::model::{Controller, Process};
+
+/// Relative width at which the bisection ends.
+const FINEST: f64 = 1e-6;
+/// Sizes beyond this are not looked for: the family is then said to be unlimited.
+const GREATEST: f64 = 1e3;
+/// A family whose least factor is below this is limited by zero.
+const NEAR_ZERO: f64 = 1e-3;
+
+/// The largest family of a shape.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Largest {
+    /// Factor on the distance of every factor from 1 \[–\], proven to be allowed; within 1e-6 of one that is not.
+    pub size: f64,
+    /// The family of that size.
+    pub family: Family,
+    /// Whether its least gain or dead time is nearly 0 (a thousandth of the nominal), so that not the peak limits it.
+    pub limited_by_zero: bool,
+}
+
+/// The largest multiple of a family whose every member is proven to keep this sensitivity peak; `None` where even the
+/// nominal loop does not.
+///
+/// ```
+/// use holdup::analysis::frequency::family::Family;
+/// use holdup::model::{Controller, Process, Seconds};
+/// use holdup::tuning::robust::largest_family;
+/// let process = Process::integrating(1.0, Seconds(1.0))?;
+/// let p = Controller::proportional(0.3)?;
+/// let shape = Family::ranges([0.9, 1.1], [0.9, 1.1])?;
+/// let largest = largest_family(&process, &p, &shape, 2.0)?.unwrap();
+/// assert!(largest.size > 1.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// [`FrequencyError`] if the numbers of the loop are out of the reach of double precision.
+pub fn largest_family(
+    process: &Process,
+    controller: &Controller,
+    shape: &Family,
+    sensitivity_peak: f64,
+) -> Result<Option<Largest>, FrequencyError> {
+    let keeps = |family: &Family| {
+        worst_case(process, controller, family, Goal::AtMost(sensitivity_peak)).map(|found| found.stable)
+    };
+    let Ok(nominal) = shape.scaled(0.0) else { return Ok(None) };
+    if !keeps(&nominal)? {
+        return Ok(None);
+    }
+    let (mut low, mut family) = (0.0, nominal);
+    let mut high = 1.0;
+    // First a size that is too large, doubling; then the limit between it and the last that is allowed.
+    while let Ok(larger) = shape.scaled(high) {
+        if high > GREATEST || !keeps(&larger)? {
+            break;
+        }
+        (low, family) = (high, larger);
+        high *= 2.0;
+    }
+    while high - low > FINEST * high {
+        let middle = f64::midpoint(low, high);
+        match shape.scaled(middle) {
+            Ok(larger) if keeps(&larger)? => (low, family) = (middle, larger),
+            _ => high = middle,
+        }
+    }
+    let limited_by_zero = family.gain()[0].min(family.dead_time()[0]) < NEAR_ZERO;
+    Ok(Some(Largest { size: low, family, limited_by_zero }))
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test stops where a value is missing")]
+
+    use super::*;
+    use crate::analysis::frequency::margins;
+    use crate::model::{ClosedLoop, Seconds};
+
+    #[test]
+    fn the_gain_range_of_proportional_control_ends_where_its_peak_is_reached() {
+        let process = Process::integrating(1.0, Seconds(1.0)).unwrap();
+        let p = Controller::proportional(0.3).unwrap();
+        let shape = Family::ranges([1.0, 1.1], [1.0, 1.0]).unwrap();
+        let largest = largest_family(&process, &p, &shape, 2.0).unwrap().unwrap();
+        let factor = largest.family.gain()[1];
+        let peak = |factor: f64| {
+            let member = process.perturbed(factor, 1.0).unwrap();
+            margins(&ClosedLoop::new(&member, &p)).unwrap().sensitivity_peak.unwrap()
+        };
+        // The bisection ends within 1e-6 of the size, some 10, of which the factor moves by a tenth.
+        assert!(peak(factor) <= 2.0 && peak(factor + 5e-6) > 2.0, "{largest:?}");
+        assert!(!largest.limited_by_zero);
+    }
+
+    #[test]
+    fn a_nominal_loop_above_the_limit_has_no_family() {
+        let process = Process::integrating(1.0, Seconds(1.0)).unwrap();
+        let p = Controller::proportional(0.9).unwrap();
+        let shape = Family::ranges([0.9, 1.1], [0.9, 1.1]).unwrap();
+        assert_eq!(largest_family(&process, &p, &shape, 1.5).unwrap(), None);
+    }
+
+    #[test]
+    fn a_family_may_end_at_zero() {
+        let process = Process::integrating(1.0, Seconds(1.0)).unwrap();
+        let p = Controller::proportional(0.3).unwrap();
+        let shape = Family::ranges([0.9, 1.0], [1.0, 1.0]).unwrap();
+        let largest = largest_family(&process, &p, &shape, 2.0).unwrap().unwrap();
+        assert!(largest.limited_by_zero && (largest.size - 10.0).abs() < 2e-5, "{largest:?}");
+    }
+}

@@ -1,0 +1,155 @@
+//! The optimum under limits: against the frontier of the atlas, against neighbours, and what is refused.
+#![expect(clippy::unwrap_used, reason = "a test stops where a value is missing")]
+
+use holdup::analysis::frequency::family::Family;
+use holdup::analysis::frequency::margins;
+use holdup::analysis::infinite_horizon::{Input, to_infinity};
+use holdup::model::{ClosedLoop, Controller, Process, Seconds};
+use holdup::tuning::optimise::{
+    Limits, Objective, OptimiseError, Optimum, Quantity, Structure, optimise, trade_off,
+};
+
+fn normal() -> Process {
+    Process::integrating(1.0, Seconds(1.0)).unwrap()
+}
+
+fn at_most(peak: f64) -> Limits {
+    Limits::default().with(Quantity::SensitivityPeak, peak)
+}
+
+fn best(structure: Structure, objective: Objective, limits: &Limits) -> Optimum {
+    optimise(&normal(), structure, objective, limits).unwrap()
+}
+
+#[test]
+fn many_starts_agree_and_the_sweep_finds_nothing_better() {
+    for (structure, objective) in [
+        (Structure::Pi, Objective::LoadIae),
+        (Structure::Pi, Objective::LoadIse),
+        (Structure::PObserver, Objective::LoadIae),
+        (Structure::Pi, Objective::SetpointIae),
+    ] {
+        let found = best(structure, objective, &at_most(1.6));
+        assert!(found.agreeing >= 3, "{structure:?} {objective:?}: {} of {}", found.agreeing, found.starts);
+        assert!(found.least_swept.unwrap() >= found.value * (1.0 - 1e-9));
+        let peak = found.achieved.sensitivity_peak.unwrap();
+        assert!(peak <= 1.6, "{structure:?} {objective:?}: {peak}");
+    }
+}
+
+#[test]
+fn the_optimum_scales_with_the_process() {
+    let found = best(Structure::Pi, Objective::LoadIae, &at_most(1.5));
+    let other = Process::integrating(-0.0506, Seconds(6.0)).unwrap();
+    let scaled = optimise(&other, Structure::Pi, Objective::LoadIae, &at_most(1.5)).unwrap();
+    // The load IAE scales with |K|·d²; the search ends at 1e-9 of the times.
+    assert!((scaled.value / (found.value * 0.0506 * 36.0) - 1.0).abs() < 1e-7);
+    let gain = found.controller.proportional_gain() / (-0.0506 * 6.0);
+    assert!((scaled.controller.proportional_gain() / gain - 1.0).abs() < 1e-5);
+}
+
+#[test]
+fn no_neighbour_that_keeps_the_limit_is_better() {
+    let found = best(Structure::Pid, Objective::LoadIae, &at_most(1.7));
+    let (kc, ti, td) = (
+        found.controller.proportional_gain(),
+        found.controller.integral_time().unwrap(),
+        found.controller.derivative_time().unwrap(),
+    );
+    let mut allowed = 0;
+    for index in 0..125 {
+        let factor = |power: u32| 0.94 + 0.03 * f64::from(index / 5_u32.pow(power) % 5);
+        let other = Controller::proportional(kc * factor(0)).unwrap();
+        let other = other.with_integral_time(Seconds(ti * factor(1))).unwrap();
+        let other = other.with_derivative_time(Seconds(td * factor(2))).unwrap();
+        let achieved = margins(&ClosedLoop::new(&normal(), &other)).unwrap();
+        if achieved.sensitivity_peak.is_some_and(|peak| peak <= 1.7) {
+            allowed += 1;
+            let value = to_infinity(&normal(), &other, Input::Load).unwrap().iae.unwrap();
+            assert!(value >= found.value * (1.0 - 1e-6), "{other:?} {value} {}", found.value);
+        }
+    }
+    assert!(allowed > 10);
+}
+
+#[test]
+fn every_limit_is_kept_and_one_of_them_is_used_up() {
+    let limits = at_most(1.8)
+        .with(Quantity::GainMargin, 3.0)
+        .with(Quantity::PhaseMargin, 50.0_f64.to_radians())
+        .with(Quantity::NoiseGain, 2.5);
+    let found = best(Structure::Pid, Objective::LoadIae, &limits);
+    let achieved = &found.achieved;
+    let distances = [
+        1.0 - achieved.sensitivity_peak.unwrap() / 1.8,
+        achieved.gain_margin.unwrap() / 3.0 - 1.0,
+        achieved.phase_margin.unwrap().0 / 50.0_f64.to_radians() - 1.0,
+        1.0 - found.controller.noise_gain().unwrap() / 2.5,
+    ];
+    assert!(distances.iter().all(|distance| *distance >= 0.0), "{distances:?}");
+    assert!(distances.iter().any(|distance| *distance < 1e-6), "{distances:?}");
+    assert!(found.controller.derivative_filter().is_some());
+}
+
+#[test]
+fn the_best_p_for_the_setpoint_does_not_reach_its_limit() {
+    // IAE of P falls up to where the response begins to swing, well below M_s = 3.
+    let found = best(Structure::P, Objective::SetpointIae, &at_most(3.0));
+    assert!(found.achieved.sensitivity_peak.unwrap() < 2.5);
+    let gain = found.controller.proportional_gain();
+    for factor in [0.97, 1.03] {
+        let other = Controller::proportional(gain * factor).unwrap();
+        assert!(to_infinity(&normal(), &other, Input::Setpoint).unwrap().iae.unwrap() > found.value);
+    }
+}
+
+#[test]
+fn the_frontier_falls_with_the_peak_and_meets_the_optimum() {
+    let peaks = [1.3, 1.5, 1.7, 2.0];
+    let points = trade_off(&normal(), Structure::Pi, Objective::LoadIae, &Limits::default(), &peaks).unwrap();
+    assert_eq!(points.len(), 4);
+    assert!(points.windows(2).all(|pair| pair[1].value < pair[0].value));
+    let alone = best(Structure::Pi, Objective::LoadIae, &at_most(1.7));
+    assert!((points[2].value / alone.value - 1.0).abs() < 1e-6);
+}
+
+#[test]
+fn objectives_without_an_optimum_are_refused_with_the_reason() {
+    let refused =
+        |structure, objective, limits: &Limits| match optimise(&normal(), structure, objective, limits) {
+            Err(OptimiseError::Degenerate(reason)) => reason,
+            other => panic!("{other:?}"),
+        };
+    assert!(refused(Structure::P, Objective::LoadIae, &at_most(2.0)).contains("integral action"));
+    assert!(refused(Structure::Pi, Objective::TotalVariation, &at_most(2.0)).contains("load_iae"));
+    let energy = at_most(2.0).with(Quantity::SetpointIae, 5.0);
+    assert!(refused(Structure::Pid, Objective::ControlEnergy, &energy).contains("noise_gain"));
+    let family = Family::ranges([0.8, 1.2], [0.8, 1.2]).unwrap();
+    let robust = Objective::RobustBox { family, sensitivity_peak: 2.0 };
+    assert!(refused(Structure::Pi, robust, &Limits::default()).contains("load_iae"));
+}
+
+#[test]
+fn limits_that_exclude_each_other_are_named_with_the_nearest_value() {
+    let limits = at_most(1.3).with(Quantity::LoadIae, 10.0);
+    let Err(OptimiseError::Infeasible(conflict)) =
+        optimise(&normal(), Structure::Pi, Objective::SetpointIae, &limits)
+    else {
+        panic!("feasible");
+    };
+    assert_eq!(conflict.limits.len(), 2, "{conflict}");
+    let nearest = conflict.limits[1].1.unwrap();
+    let alone = best(Structure::Pi, Objective::LoadIae, &at_most(1.3));
+    assert!((nearest / alone.value - 1.0).abs() < 1e-5, "{conflict}");
+}
+
+#[test]
+fn the_largest_box_is_larger_than_that_of_a_rule_of_the_same_iae() {
+    let family = Family::ranges([0.8, 1.2], [0.8, 1.2]).unwrap();
+    let objective = Objective::RobustBox { family, sensitivity_peak: 2.0 };
+    let found = best(Structure::Pi, objective, &Limits::default().with(Quantity::LoadIae, 16.0));
+    let simc = Controller::proportional(0.5).unwrap().with_integral_time(Seconds(8.0)).unwrap();
+    let of_rule = holdup::tuning::robust::largest_family(&normal(), &simc, &family, 2.0).unwrap().unwrap();
+    assert!(1.0 / found.value >= of_rule.size * (1.0 - 1e-6), "{} {}", 1.0 / found.value, of_rule.size);
+    assert!(found.load.unwrap().iae.unwrap() <= 16.0 * (1.0 + 1e-9));
+}
