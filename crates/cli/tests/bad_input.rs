@@ -243,3 +243,41 @@ fn each_fault_of_the_actuator_names_option_and_value() {
         }
     }
 }
+
+#[test]
+fn each_fault_of_a_family_or_of_an_optimum_names_option_and_value() {
+    for (words, parts) in [
+        (&["robust", "--gain", "0:2"][..], &["--gain", "0:2"][..]),
+        (&["robust", "--gain", "-1:2"], &["--gain", "-1:2"]),
+        (&["robust", "--dead-time", "2:1"], &["--dead-time", "2:1"]),
+        (&["robust", "--dead-time", "1"], &["--dead-time", "LOW:HIGH", "0.8:1.2"][..1]),
+        (&["robust", "--samples", "1.5"], &["--samples", "1.5"]),
+        (&["robust", "--distribution", "gaussian"], &["--distribution", "gaussian", "normal"]),
+        (&["robust", "--output", "runs.xlsx", "--samples", "10"], &["runs.xlsx", ".csv"]),
+        (&["robust", "--output", "/nonexistent-holdup/runs.csv"], &["/nonexistent-holdup/runs.csv"]),
+        (&["robust", "--max-sensitivity", "1"], &["--max-sensitivity", "1"]),
+        (&["robust", "--ellipse", "1"], &["--ellipse", "1"]),
+        (&["robust", "--ellipse", "0", "--gain", "0.9:1.2"], &["--gain", "0.9:1.2", "--ellipse"]),
+    ] {
+        let error = refused(&[words, &["-p", PROCESS, "-c", "Kc=1,Ti=50"]].concat());
+        for part in parts {
+            assert!(error.contains(part), "{words:?}: {error}");
+        }
+    }
+    for (words, parts) in [
+        (&["--structure", "pidd"][..], &["--structure", "pidd", "pid"][..]),
+        (&["--objective", "speed"], &["--objective", "speed", "load_iae"]),
+        (&["--max-sensitivity", "0.5"], &["--max-sensitivity", "0.5"]),
+        (&["--structure", "p"], &["load_iae", "integral action"]),
+        (&["--objective", "total_variation"], &["total_variation", "load_iae"]),
+        (&["--objective", "robust_box"], &["--max-sensitivity"]),
+        (&["--objective", "averaging"], &["--load-step"]),
+        (&["--objective", "averaging", "--load-step", "10", "--excursion", "1"], &["excursion", "3.036"]),
+        (&["--max-sensitivity", "1.3", "--max-load-iae", "5"], &["sensitivity_peak", "load_iae", "nearest"]),
+    ] {
+        let error = refused(&[&["optimise", "-p", PROCESS], words].concat());
+        for part in parts {
+            assert!(error.contains(part), "{words:?}: {error}");
+        }
+    }
+}

@@ -463,3 +463,35 @@ fn analyse_with_limits_says_what_the_actuator_allows() {
             .any(|w| w.as_str().unwrap().contains("plain integrator only"))
     );
 }
+
+#[test]
+fn robust_proves_and_samples_with_the_names_of_the_contract() {
+    let folder = folder("robust");
+    let runs = folder.join("runs.csv");
+    let path = runs.to_str().unwrap();
+    let words = ["robust", "-p", PROCESS, "-c", "Kc=1.5,Ti=50", "--samples", "300", "--max-sensitivity", "3"];
+    let value = json(&[&words[..], &["--load", "0:1", "--bands", "--output", path]].concat());
+    has(&value, &["guaranteed", "monte_carlo", "largest_family", "warnings"]);
+    has(&value["guaranteed"], &["stable", "sensitivity_peak", "worst"]);
+    has(&value["monte_carlo"], &["samples", "stable_fraction", "percentiles", "bands"]);
+    let peak = value["guaranteed"]["sensitivity_peak"].as_f64().unwrap();
+    let sampled = value["monte_carlo"]["percentiles"]["sensitivity_peak"]["greatest"].as_f64().unwrap();
+    assert!(sampled <= peak && peak < 2.2, "{sampled} {peak}");
+    let text = std::fs::read_to_string(&runs).unwrap();
+    assert_eq!(text.lines().count(), 301);
+    let again = json(&[&words[..], &["--load", "0:1", "--bands"]].concat());
+    assert_eq!(again["monte_carlo"], value["monte_carlo"]);
+}
+
+#[test]
+fn optimise_answers_as_tune_does() {
+    let value = json(&["optimise", "-p", PROCESS, "--max-sensitivity", "1.6"]);
+    has(
+        &value,
+        &["controller", "specification", "achieved", "objective", "constraint", "trade_off", "warnings"],
+    );
+    has(&value["controller"], &CONTROLLER);
+    has(&value["achieved"], &MARGINS);
+    let peak = value["achieved"]["sensitivity_peak"].as_f64().unwrap();
+    assert!(peak <= 1.6 && peak > 1.6 * (1.0 - 1e-9));
+}
