@@ -89,8 +89,6 @@ fn values(run: &Run) -> impl Iterator<Item = Option<f64>> {
 
 #[cfg(test)]
 mod tests {
-    #![expect(clippy::unwrap_used, reason = "a test stops where a value is missing")]
-
     use std::ops::ControlFlow;
     use std::path::PathBuf;
 

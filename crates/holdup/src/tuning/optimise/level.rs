@@ -275,8 +275,6 @@ fn greatest_rate(process: &Process, controller: &Controller, load_step: f64) -> 
 
 #[cfg(test)]
 mod tests {
-    #![expect(clippy::unwrap_used, reason = "a test stops where a value is missing")]
-
     use super::*;
 
     fn process() -> Process {

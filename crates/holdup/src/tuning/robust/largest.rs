@@ -75,8 +75,6 @@ pub fn largest_family(
 
 #[cfg(test)]
 mod tests {
-    #![expect(clippy::unwrap_used, reason = "a test stops where a value is missing")]
-
     use super::*;
     use crate::analysis::frequency::margins;
     use crate::model::{ClosedLoop, Seconds};

@@ -253,8 +253,6 @@ fn wilson(hits: u64, samples: u64) -> (f64, [f64; 2]) {
 
 #[cfg(test)]
 mod tests {
-    #![expect(clippy::unwrap_used, reason = "a test stops where a value is missing")]
-
     use super::*;
     use crate::analysis::frequency::family::{Family, Goal, worst_case};
     use crate::model::Seconds;

@@ -84,8 +84,6 @@ fn middle(key: i64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    #![expect(clippy::unwrap_used, reason = "a test stops where a value is missing")]
-
     use super::*;
 
     #[test]

@@ -278,8 +278,6 @@ impl<'a> Search<'a> {
 
 #[cfg(test)]
 mod tests {
-    #![expect(clippy::unwrap_used, reason = "a test stops where a value is missing")]
-
     use super::*;
     use crate::model::{Observer, Seconds};
 

@@ -146,8 +146,6 @@ fn positive(of: &'static str, [low, high]: [f64; 2]) -> Result<(), FamilyError> 
 
 #[cfg(test)]
 mod tests {
-    #![expect(clippy::unwrap_used, reason = "a test stops where a value is missing")]
-
     use super::*;
 
     #[test]
