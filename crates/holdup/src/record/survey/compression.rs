@@ -30,15 +30,21 @@ pub struct Compression {
     pub evidence: String,
 }
 
-/// Looks for the marks of a historian; `quantum` is the signal's smallest step.
-pub(super) fn compression(values: &[f64], sampling: &Sampling, quantum: Option<f64>) -> Option<Compression> {
+/// Looks for the marks of a historian; `quantum` is the signal's smallest step. Values that are held are a mark in a
+/// signal that is `measured`; a setpoint or an output is held by who sets it.
+pub(super) fn compression(
+    values: &[f64],
+    sampling: &Sampling,
+    quantum: Option<f64>,
+    measured: bool,
+) -> Option<Compression> {
     const LEAST_ROWS: usize = 40;
     let moves: Vec<f64> = differences(values).filter(|step| *step != 0.0).map(f64::abs).collect();
     if values.len() < LEAST_ROWS || moves.len() < 10 {
         return None;
     }
     if sampling.is_even() {
-        held(values, &moves, quantum).or_else(|| interpolated(values, quantum))
+        measured.then(|| held(values, &moves, quantum)).flatten().or_else(|| interpolated(values, quantum))
     } else {
         on_change(&moves, sampling)
     }
@@ -77,7 +83,7 @@ fn interpolated(values: &[f64], quantum: Option<f64>) -> Option<Compression> {
     let share = real(lined) / real(bends.len());
     // Normal noise has the share 0.8·straight/size there.
     let expected = 0.8 * straight / size;
-    if share < 0.25 || share < 4.0 * expected {
+    if share < 0.15 || share < 6.0 * expected {
         return None;
     }
     let rows_per_point = 1.0 / (1.0 - share).max(1.0 / real(bends.len()));

@@ -70,10 +70,10 @@ impl Survey {
     #[must_use]
     pub fn of(record: &Record) -> Self {
         let sampling = Sampling::of(record.time());
-        let signal = |values: &[f64]| Signal::of(record.time(), values, &sampling);
-        let controlled_variable = signal(record.controlled_variable());
-        let manipulated_variable = signal(record.manipulated_variable());
-        let setpoint = record.setpoint().map(signal);
+        let signal = |values: &[f64], measured| Signal::of(record.time(), values, &sampling, measured);
+        let controlled_variable = signal(record.controlled_variable(), true);
+        let manipulated_variable = signal(record.manipulated_variable(), false);
+        let setpoint = record.setpoint().map(|values| signal(values, false));
         let (setpoint_moves, setpoint_follows) = record
             .setpoint()
             .map_or((Vec::new(), false), |values| events::setpoint_moves(record.time(), values));

@@ -32,7 +32,9 @@ pub(super) fn noise(values: &[f64]) -> Option<Noise> {
         spread(bends).powi(2)
     };
     let (one, two) = (second(1), second(2));
-    if one == 0.0 {
+    // What is left of numbers that are rounded to sixteen digits is no noise.
+    let scale = values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+    if one.sqrt() <= 1e-12 * scale {
         return None;
     }
     let ratio = two / one;

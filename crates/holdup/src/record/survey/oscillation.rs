@@ -46,11 +46,11 @@ pub struct Oscillation {
 /// Crossings of the autocorrelation function that are used at most, after the paper.
 const CROSSINGS: usize = 11;
 
-/// Intervals that are needed: two periods, besides the first quarter.
-const LEAST_INTERVALS: usize = 4;
+/// Intervals that are needed: three periods, besides the first quarter. A drift has two by chance.
+const LEAST_INTERVALS: usize = 6;
 
 /// Least autocorrelation one period apart that is worth a word.
-const LEAST_STRENGTH: f64 = 0.2;
+const LEAST_STRENGTH: f64 = 0.3;
 
 /// Looks for a regular oscillation: first about the straight line through the signal, then about means over ever
 /// shorter stretches, which take away what is slower.

@@ -74,8 +74,8 @@ pub struct Signal {
 }
 
 impl Signal {
-    /// Looks at a signal.
-    pub(super) fn of(time: &[f64], values: &[f64], sampling: &Sampling) -> Self {
+    /// Looks at a signal; one that is not `measured` is set by a controller or by people.
+    pub(super) fn of(time: &[f64], values: &[f64], sampling: &Sampling, measured: bool) -> Self {
         let (least, greatest) = range(values);
         if least == greatest {
             return Self {
@@ -104,9 +104,9 @@ impl Signal {
             is_constant: false,
             flat,
             quantisation,
-            compression: compression(values, sampling, quantum),
+            compression: compression(values, sampling, quantum, measured),
             limits,
-            noise: noise(values),
+            noise: noise(values).filter(|_| measured || !is_mostly_still(values)),
             spikes: spikes(values, quantum.unwrap_or(0.0)),
             oscillation: oscillation(time, values, sampling),
         }
@@ -126,22 +126,33 @@ fn runs(values: &[f64]) -> Vec<(usize, usize)> {
     runs
 }
 
-/// Runs that a signal of this liveliness would have once in a thousand records: with the share p of rows that repeat
-/// the value before, a run of L rows in n has the probability n·p^L. The longest run itself is no evidence of p.
-fn flat(time: &[f64], values: &[f64]) -> Vec<Span> {
-    const LEAST_ROWS: usize = 20;
-    let runs = runs(values);
-    let length = |run: &(usize, usize)| run.1 - run.0;
-    let longest = runs.iter().map(length).max().unwrap_or(0);
+/// Whether more than half of the rows repeat the value before.
+fn is_mostly_still(values: &[f64]) -> bool {
+    differences(values).filter(|step| *step == 0.0).count() * 2 > values.len()
+}
+
+/// Rows that a signal of this liveliness keeps one value for in one of a thousand records: with the share p of rows that
+/// repeat the value before, a run of L rows in n has the probability n·p^L. The longest run itself is no evidence of p.
+fn longest_by_chance(values: &[f64], runs: &[(usize, usize)]) -> f64 {
+    let longest = runs.iter().map(|run| run.1 - run.0).max().unwrap_or(0);
     let others = values.len().saturating_sub(longest);
     let repeats = others.saturating_sub(runs.len().saturating_sub(1));
     let share = real(repeats + 1) / real(others + 2);
-    let least = (1e-3 / real(values.len())).ln() / share.ln();
+    (1e-3 / real(values.len())).ln() / share.ln()
+}
+
+/// Runs that are longer than chance would have them.
+fn flat(time: &[f64], values: &[f64]) -> Vec<Span> {
+    const LEAST_ROWS: usize = 20;
+    let runs = runs(values);
+    let least = longest_by_chance(values, &runs);
+    let length = |run: &(usize, usize)| run.1 - run.0;
     let is_flat = |run: &&(usize, usize)| length(run) >= LEAST_ROWS && real(length(run)) > least;
     runs.iter().filter(is_flat).map(|&(from, end)| Span::of(time, values, from, end)).collect()
 }
 
-/// Ends of the range where a signal of many values stays: at least 3 % of its rows, in runs of five or more.
+/// Ends of the range where a signal of many values stays: at least 3 % of its rows, in runs of five or more, one of
+/// them longer than chance would have it, as a coarse signal at rest also stands still.
 fn limits(time: &[f64], values: &[f64], quantum: f64) -> Vec<Limit> {
     const LEAST_LEVELS: usize = 20;
     const LEAST_RUN: usize = 5;
@@ -152,6 +163,7 @@ fn limits(time: &[f64], values: &[f64], quantum: f64) -> Vec<Limit> {
     if levels.len() < LEAST_LEVELS {
         return Vec::new();
     }
+    let least = longest_by_chance(values, &runs(values));
     // A converter at its end still shows its last digit.
     let near = (1.01 * quantum).min(0.002 * (high - low));
     let limit = |end: f64, is_high: bool| {
@@ -167,7 +179,8 @@ fn limits(time: &[f64], values: &[f64], quantum: f64) -> Vec<Limit> {
         }
         let rows: usize = spans.iter().map(Span::rows).sum();
         let share = real(rows) / real(values.len());
-        (share >= 0.03).then_some(Limit { value: end, is_high, share, spans })
+        let longest = spans.iter().map(Span::rows).max().unwrap_or(0);
+        (share >= 0.03 && real(longest) > least).then_some(Limit { value: end, is_high, share, spans })
     };
     [limit(low, false), limit(high, true)].into_iter().flatten().collect()
 }
