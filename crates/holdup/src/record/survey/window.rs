@@ -88,7 +88,7 @@ fn reason(record: &Record, survey: &Survey, from: usize, to: usize, cuts: Cuts, 
         );
     } else if found {
         parts.push(format!(
-            "the stretch between {} in which the manipulated variable moves most",
+            "{} cut the record: this is the part in which the manipulated variable moves most",
             why.join(", ")
         ));
     } else {
@@ -130,6 +130,9 @@ fn excitation(record: &Record, survey: &Survey, from: usize, to: usize) -> Strin
         "its setpoint moves all the time".to_owned()
     } else if real(still) > 0.5 * real(manipulated.len()) {
         "the manipulated variable moves now and then".to_owned()
+    } else if record.operation().is_none() && record.setpoint().is_none() {
+        "the manipulated variable moves all the time, whether by a controller the record does not say"
+            .to_owned()
     } else {
         "nothing but the controller's own reaction moves the process, which may not identify it".to_owned()
     }
