@@ -33,7 +33,7 @@ fn it_says_what_was_read_repaired_and_seen_in_80_columns() {
         "semicolon",
         "2024-01-31T13:00:00",
         "Ventil",
-        "1 rows have no readable time",
+        "1 row without a readable time",
         "50 → 52 at 600 s",
     ] {
         assert!(text.contains(part), "{part} is missing in\n{text}");

@@ -26,7 +26,9 @@ pub(crate) fn run(args: &SurveyArgs, console: Console) -> Result<Answer, Fault> 
         None => reading.record.clone(),
     };
     let survey = Survey::of(&record);
-    let figure = figure(&reading, &record, &survey.window).map_err(Fault::input)?;
+    let title =
+        args.record.data.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+    let figure = figure(&title, &reading, &record, &survey.window).map_err(Fault::input)?;
     let mut files = Vec::new();
     if let Some(path) = &args.plot {
         files.push((path.clone(), figure_file(path, &figure)?));
@@ -56,7 +58,7 @@ pub(crate) fn run(args: &SurveyArgs, console: Console) -> Result<Answer, Fault> 
 }
 
 /// The record with its window.
-fn figure(reading: &Reading, record: &Record, window: &Window) -> Result<Figure, FigureError> {
+fn figure(title: &str, reading: &Reading, record: &Record, window: &Window) -> Result<Figure, FigureError> {
     let time = record.time();
     let hours = time[time.len() - 1] - time[0] > HOURS_FROM;
     let (unit, label) = if hours { (3600.0, "time [h]") } else { (1.0, "time [s]") };
@@ -87,7 +89,7 @@ fn figure(reading: &Reading, record: &Record, window: &Window) -> Result<Figure,
     let solid = |series: Series| series.with_line(Line::Solid).with_width(1.5);
     output = output.with_series(solid(curve("controlled variable", record.controlled_variable())?)?);
     input = input.with_series(solid(curve("manipulated variable", record.manipulated_variable())?.held())?);
-    Figure::new("The record", vec![output, input])
+    Figure::new(title, vec![output, input])
 }
 
 /// Points of a curve: all rows, or the least and the greatest value of each stretch in their order.

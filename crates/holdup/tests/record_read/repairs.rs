@@ -2,7 +2,7 @@
 
 use holdup::record::{ReadOptions, Reading, RepairKind, read_bytes};
 
-use crate::sample::{ROWS, Style, iso, record};
+use crate::sample::{ROWS, Style, controlled, iso, record};
 
 fn read(text: &str) -> Reading {
     read_bytes(text.as_bytes(), &ReadOptions::default()).unwrap()
@@ -172,4 +172,88 @@ fn what_is_assumed_is_said() {
     let midnight = read("time,pv,op\n23:59:40,1,2\n23:59:50,1,2\n00:00:00,1,2\n00:00:10,1,3\n");
     assert_eq!(midnight.record.time(), [0.0, 10.0, 20.0, 30.0]);
     assert_eq!(repairs(&midnight), [(RepairKind::MidnightPassed, 1)]);
+}
+
+#[test]
+fn exports_of_control_systems_are_read_as_they_come() {
+    type Row = Box<dyn Fn(usize) -> String>;
+    let point = |k: usize| (controlled(k), if k < 5 { 20 } else { 25 });
+    let second = |k: usize| format!("{:02}", k * 5);
+    let cases: [(&str, &str, Row); 6] = [
+        (
+            "tags, descriptions and units above the data",
+            "Tag:,LIC101.PV,LIC101.OP\r\nDescription:,\"Tank level, north\",Valve\r\nUnits:,%,%\r\n\r\n",
+            Box::new(move |k| format!("05-Mar-24 08:00:{},{},{}\r\n", second(k), point(k).0, point(k).1)),
+        ),
+        (
+            "a separator line, commas and Latin letters",
+            "sep=;\r\nZeitstempel;Füllstand;Ventil\r\n",
+            Box::new(move |k| {
+                format!(
+                    "05.03.2024 08:00:{};{};{},0\r\n",
+                    second(k),
+                    point(k).0.to_string().replace('.', ","),
+                    point(k).1
+                )
+            }),
+        ),
+        (
+            "an index column and an offset from UTC",
+            ",timestamp,pv,op\n",
+            Box::new(move |k| {
+                format!("{k},2024-03-05 08:00:{}+00:00,{},{}\n", second(k), point(k).0, point(k).1)
+            }),
+        ),
+        (
+            "states beside values",
+            "Timestamp,LIC1/PV.CV,LIC1/PV.ST,LIC1/OUT.CV,LIC1/OUT.ST\n",
+            Box::new(move |k| {
+                format!("2024-03-05T08:00:{}.123Z,{},Good,{},Good\n", second(k), point(k).0, point(k).1)
+            }),
+        ),
+        (
+            "lines of another delimiter above the data",
+            "\n\n\"Trend\"\n\"From\",\"2024-03-05\"\n\n\"Date/Time\";\"Level PV\";\"Level OP\"\n",
+            Box::new(move |k| {
+                format!("\"2024-03-05 08:00:{}\";\"{}\";\"{}\"\n", second(k), point(k).0, point(k).1)
+            }),
+        ),
+        (
+            "month first with hours of twelve",
+            "Date,Time,PV,OP\n",
+            Box::new(move |k| format!("3/5/2024,8:00:{} AM,{},{}\n", second(k), point(k).0, point(k).1)),
+        ),
+    ];
+    for (name, head, row) in cases {
+        let text = head.to_owned() + &(0..10).map(row).collect::<String>();
+        let reading = read(&text);
+        let values: Vec<f64> = (0..10).map(|k| point(k).0).collect();
+        assert_eq!(reading.record.controlled_variable(), values, "{name}");
+        assert_eq!(reading.record.time()[9], 45.0, "{name}");
+        assert_eq!(reading.record.manipulated_variable()[4..6], [20.0, 25.0], "{name}");
+        assert!(reading.found.start.unwrap().starts_with("2024-03-05T08:00:00"), "{name}");
+    }
+}
+
+#[test]
+fn a_source_that_writes_only_what_changes_is_held() {
+    let mut text = "Time,PV,OP\n".to_owned();
+    for k in 0..30 {
+        text += &format!("2024-03-05 08:{k:02}:00,5{},\n", k % 10);
+        if k == 0 || k == 12 {
+            text += &format!("2024-03-05 08:{k:02}:01,,{}\n", 20 + k);
+        }
+    }
+    let reading = read(&text);
+    assert_eq!(repairs(&reading), [(RepairKind::HeldValues, 30), (RepairKind::NoValue, 2)]);
+    assert_eq!(reading.record.manipulated_variable()[12..14], [20.0, 32.0]);
+}
+
+#[test]
+fn one_loop_of_several_is_found_by_its_tag() {
+    let text = "Time,L1.PV,L1.OP,L1.SP,T5.PV,T5.OP,T5.SP\n0,1,2,3,4,5,6\n1,1,2,3,4,5,6\n2,1,7,3,4,8,6\n";
+    let options = ReadOptions { controlled_variable: Some("t5.pv".to_owned()), ..ReadOptions::default() };
+    let reading = read_bytes(text.as_bytes(), &options).unwrap();
+    assert_eq!(reading.record.manipulated_variable(), [5.0, 5.0, 8.0]);
+    assert_eq!(reading.record.setpoint(), Some([6.0, 6.0, 6.0].as_slice()));
 }

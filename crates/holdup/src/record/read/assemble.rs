@@ -9,7 +9,7 @@ use super::error::ReadError;
 use super::mode::operation;
 use super::number::{DecimalMark, marks};
 use super::order::ordered;
-use super::reading::{Found, FoundColumn, Reading, Repair, RepairKind};
+use super::reading::{Found, FoundColumn, Reading, Repair, RepairKind, counted};
 use super::roles::{Roles, TimeColumn};
 use super::values::{Values, held, quality};
 use crate::model::text::one_line;
@@ -151,7 +151,7 @@ fn instants(file: &File, options: &ReadOptions) -> Result<Times, ReadError> {
         TimeColumn::Two(date, clock) => Ok(combined(cells(date)?, cells(clock)?, file.table.rows, options)),
         TimeColumn::None => {
             let sample_period_s = options.sample_period.unwrap_or(1.0);
-            let instants = counted(sample_period_s, file.table.rows);
+            let instants = evenly_spaced(sample_period_s, file.table.rows);
             Ok(Times { instants, format: TimeFormat::Counted { sample_period_s }, assumed: Vec::new() })
         }
     }
@@ -162,7 +162,7 @@ fn instants(file: &File, options: &ReadOptions) -> Result<Times, ReadError> {
     clippy::cast_possible_truncation,
     reason = "the period is checked to be below 1e9 s and not below 1 ns"
 )]
-fn counted(sample_period: f64, rows: usize) -> Vec<Option<i64>> {
+fn evenly_spaced(sample_period: f64, rows: usize) -> Vec<Option<i64>> {
     let step = (sample_period * 1e9).round() as i64;
     (0..rows).map(|row| i64::try_from(row).ok().and_then(|row| step.checked_mul(row))).collect()
 }
@@ -178,7 +178,7 @@ fn undated(file: &File, times: &Times, kept: &[usize], repairs: &mut Vec<Repair>
     if bad * 2 > rows {
         return Err(ReadError::NoTime { place, column, value });
     }
-    let text = format!("{bad} rows have no readable time and are left out: first {place}, '{value}'");
+    let text = format!("{} without a readable time left out: first {place}, '{value}'", counted(bad, "row"));
     repairs.push(Repair::new(RepairKind::NoTime, bad, text));
     Ok(())
 }
@@ -274,7 +274,8 @@ fn modes(
             unknown.iter().take(4).map(|(word, ..)| format!("'{}'", one_line(word))).collect();
         let name = one_line(&file.headings[column].name);
         let text = format!(
-            "{rows} cells of {name} are not understood ({}): --automatic names the values that mean automatic",
+            "{} of {name} not understood ({}): --automatic names the values that mean automatic",
+            counted(rows, "cell"),
             words.join(", ")
         );
         repairs.push(Repair::new(RepairKind::UnknownMode, rows, text));

@@ -66,6 +66,8 @@ pub(super) struct Stamp {
     pub(super) clock: Option<i64>,
     /// Offset from UTC [ns], where there is one.
     pub(super) offset: Option<i64>,
+    /// Whether the hour is one of twelve.
+    pub(super) half_day: bool,
 }
 
 impl Date {
@@ -142,16 +144,17 @@ pub(super) fn stamp(cell: &[u8]) -> Option<Stamp> {
     if cell.len() < 3 || cell.len() > 48 || !cell.iter().any(u8::is_ascii_digit) {
         return None;
     }
-    let mut cursor = Cursor { rest: cell };
+    let mut cursor = Cursor { rest: cell, half_day: false };
     cursor.weekday();
     let date = if cursor.is_clock() { None } else { Some(cursor.date()?) };
     let clock = if date.is_none() || cursor.gap() { Some(cursor.clock()?) } else { None };
     let offset = if clock.is_some() { cursor.offset().ok()? } else { None };
-    cursor.rest.is_empty().then_some(Stamp { date, clock, offset })
+    cursor.rest.is_empty().then_some(Stamp { date, clock, offset, half_day: cursor.half_day })
 }
 
 struct Cursor<'c> {
     rest: &'c [u8],
+    half_day: bool,
 }
 
 impl Cursor<'_> {
@@ -297,7 +300,7 @@ impl Cursor<'_> {
             _ => return None,
         }
         let fraction = if self.eat(b'.') || self.eat(b',') { self.fraction()? } else { 0 };
-        self.half_day(&mut hour)?;
+        self.hour_of_twelve(&mut hour)?;
         let valid = hour <= 24 && minute <= 59 && second <= 60;
         valid.then_some((hour * 3600 + minute * 60 + second) * SECOND + fraction)
     }
@@ -312,7 +315,7 @@ impl Cursor<'_> {
     }
 
     /// AM or PM; none where the hour does not go with it.
-    fn half_day(&mut self, hour: &mut i64) -> Option<()> {
+    fn hour_of_twelve(&mut self, hour: &mut i64) -> Option<()> {
         let before = self.rest;
         self.blanks();
         let half = self.rest.first().map(u8::to_ascii_lowercase);
@@ -327,6 +330,7 @@ impl Cursor<'_> {
         if !(1..=12).contains(hour) {
             return None;
         }
+        self.half_day = true;
         *hour = *hour % 12 + if half == Some(b'p') { 12 } else { 0 };
         Some(())
     }

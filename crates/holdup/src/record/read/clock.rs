@@ -105,7 +105,7 @@ pub(super) fn combined(dates: &Column, clocks: &Column, rows: usize, options: &R
     };
     let both = |row: usize| {
         let (date, clock) = (stamp(dates.cell(row))?, stamp(clocks.cell(row))?);
-        Some(Stamp { date: date.date, clock: clock.clock, offset: clock.offset })
+        Some(Stamp { date: date.date, ..clock })
     };
     stamped(&(0..rows).map(both).collect::<Vec<_>>(), options)
 }
@@ -128,7 +128,8 @@ fn stamped(stamps: &[Option<Stamp>], options: &ReadOptions) -> Times {
     }
     let mut dates: Vec<Date> = found().filter_map(|stamp| stamp.date).collect();
     dates.dedup();
-    let (date_order, certain) = date_order(&dates, options.date_order);
+    let american = found().any(|stamp| stamp.half_day);
+    let (date_order, certain) = date_order(&dates, options.date_order, american);
     if !certain {
         let (name, other) = match date_order {
             DateOrder::MonthDayYear => ("month first", "dmy"),
@@ -151,7 +152,7 @@ fn stamped(stamps: &[Option<Stamp>], options: &ReadOptions) -> Times {
 
 /// Which number is which, and whether that is certain: the orders under which most dates exist, and of these the one
 /// under which the days follow each other most closely.
-fn date_order(dates: &[Date], given: Option<DateOrder>) -> (DateOrder, bool) {
+fn date_order(dates: &[Date], given: Option<DateOrder>, american: bool) -> (DateOrder, bool) {
     if let Some(order) = given {
         return (order, true);
     }
@@ -173,6 +174,8 @@ fn date_order(dates: &[Date], given: Option<DateOrder>) -> (DateOrder, bool) {
     left.retain(|order| way(*order) == least);
     match left[..] {
         [only] => (only, true),
+        // Hours of twelve go with the month first.
+        [_, DateOrder::MonthDayYear, ..] if american => (DateOrder::MonthDayYear, false),
         // The dot is European; with the others both habits exist, the day first in most countries.
         [first, ..] => (first, dates.iter().all(|date| date.separator == b'.')),
         [] => (DateOrder::YearMonthDay, true),

@@ -2,7 +2,7 @@
 
 use super::column::{Column, Kind, Table, TextColumn};
 use super::dialect::{Dialect, kind};
-use super::reading::{Repair, RepairKind};
+use super::reading::{Repair, RepairKind, counted};
 use super::rows::{Cell, Rows};
 
 /// Reads the cells of the columns in `needed`, in their order.
@@ -39,15 +39,16 @@ pub(super) fn table(text: &[u8], dialect: &Dialect, needed: &[usize], repairs: &
         }
     };
     let skipped = dialect.skipped;
-    note(RepairKind::SkippedLines, skipped, format!("{skipped} lines before the data are not used"));
-    note(RepairKind::CommentLines, comments, format!("{comments} comment lines are not used"));
-    note(RepairKind::EmptyRows, empty, format!("{empty} rows without any value are left out"));
+    note(RepairKind::SkippedLines, skipped, format!("{} before the data not used", counted(skipped, "line")));
+    note(RepairKind::CommentLines, comments, format!("{} not used", counted(comments, "comment line")));
+    note(RepairKind::EmptyRows, empty, format!("{} without any value left out", counted(empty, "row")));
     let width = dialect.width;
     note(
         RepairKind::UnevenRows,
         uneven,
         format!(
-            "{uneven} rows have other than {width} cells: cells that are absent count as empty, others are not used"
+            "{} with other than {width} cells: absent cells count as empty, others are not used",
+            counted(uneven, "row")
         ),
     );
     let rows = lines.len();

@@ -157,7 +157,10 @@ const NAMES: [(Role, u8, &[&str]); 9] = [
 ];
 
 /// Names of time columns.
-const TIMES: [&str; 17] = [
+const TIMES: [&str; 20] = [
+    "epoch",
+    "unix time",
+    "ts",
     "timestamp",
     "time stamp",
     "datetime",
@@ -239,9 +242,18 @@ pub(super) struct Meaning {
     pub(super) words: (usize, usize),
 }
 
+/// Words behind a role that only say that its value is meant, as in `LIC1/PV.CV` and `LIC1/MODE.ACTUAL`.
+const VALUE: [&str; 4] = ["cv", "value", "val", "actual"];
+
 /// The roles that a name can have: all of the greatest clearness.
 pub(super) fn meanings(name: &str) -> Vec<Meaning> {
-    let words = words(name);
+    let mut words = words(name);
+    if let [.., role, last] = &words[..]
+        && VALUE.contains(&last.as_str())
+        && ["pv", "op", "co", "mv", "out", "sp", "sv", "mode"].contains(&role.as_str())
+    {
+        words.pop();
+    }
     let mut found: Vec<Meaning> = Vec::new();
     for (role, rank, names) in NAMES {
         let of_role = names.iter().filter_map(|name| place(&words, name));
@@ -270,7 +282,9 @@ pub(super) fn says_time(name: &str) -> u8 {
 
 /// Whether a column tells how good values are.
 pub(super) fn says_quality(name: &str) -> bool {
-    words(name).iter().any(|word| ["quality", "qual", "status", "stat", "qualität"].contains(&word.as_str()))
+    words(name)
+        .iter()
+        .any(|word| ["quality", "qual", "status", "stat", "st", "qualität"].contains(&word.as_str()))
 }
 
 /// Where the words of `wanted` stand in a name. A single letter counts only as the first word or the whole.
@@ -309,6 +323,9 @@ mod tests {
             ("FIC3.MODE", Role::Mode),
             ("Füllstand", Role::Controlled),
             ("heater", Role::Manipulated),
+            ("LIC101/PV.CV", Role::Controlled),
+            ("LIC101/OUT.CV", Role::Manipulated),
+            ("LIC101/MODE.ACTUAL", Role::Mode),
         ] {
             let found = meanings(name);
             assert_eq!(found.len(), 1, "{name}: {found:?}");

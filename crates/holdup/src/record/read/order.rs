@@ -1,7 +1,7 @@
 //! Rows in the order of their times: reversed, shifted clocks, duplicates, coarse clocks.
 
 use super::civil::{SECOND, iso};
-use super::reading::{Repair, RepairKind};
+use super::reading::{Repair, RepairKind, counted};
 
 /// One hour [ns].
 const HOUR: i64 = 3600 * SECOND;
@@ -88,7 +88,8 @@ fn back(found: &mut Ordered, dated: bool, repairs: &mut Vec<Repair>) {
                 let moved = found.instants.len() - at;
                 found.instants[at..].iter_mut().for_each(|instant| *instant += HOUR);
                 let when = if dated { format!(" after {}", iso(before)) } else { String::new() };
-                let text = format!("the clock goes back one hour{when}: {moved} rows are moved on by it");
+                let text =
+                    format!("the clock goes back one hour{when}: {} moved on by it", counted(moved, "row"));
                 repairs.push(Repair::new(RepairKind::ClockBack, moved, text));
             }
         }
@@ -133,7 +134,7 @@ fn sort(found: &mut Ordered, repairs: &mut Vec<Repair>) -> Result<(), Disorder> 
         found.instants.iter().copied().zip(found.rows.iter().copied()).collect();
     pairs.sort_by_key(|(instant, _)| *instant);
     (found.instants, found.rows) = pairs.into_iter().unzip();
-    let text = format!("{back} rows stand after later ones: they are sorted by time");
+    let text = format!("{} behind later ones: sorted by time", counted(back, "row"));
     repairs.push(Repair::new(RepairKind::OutOfOrder, back, text));
     Ok(())
 }
@@ -170,12 +171,13 @@ fn repeat(found: &mut Ordered, same: impl Fn(usize, usize) -> bool, repairs: &mu
     found.instants = kept.iter().map(|at| found.instants[*at]).collect();
     found.rows = kept.into_iter().map(|at| found.rows[at]).collect();
     if identical > 0 {
-        let text = format!("{identical} rows are there twice: one of each is kept");
+        let text = format!("{} there twice: one of each is kept", counted(identical, "row"));
         repairs.push(Repair::new(RepairKind::IdenticalRows, identical, text));
     }
     if conflicting > 0 {
         let text = format!(
-            "{conflicting} rows have the time of another row but other values: the last of each time is kept"
+            "{} with the time of another row but other values: the last of each time is kept",
+            counted(conflicting, "row")
         );
         repairs.push(Repair::new(RepairKind::SameTime, conflicting, text));
     }

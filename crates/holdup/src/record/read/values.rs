@@ -3,7 +3,7 @@
 use super::column::{Column, Table};
 use super::encoding::readable;
 use super::number::{DecimalMark, number};
-use super::reading::{Repair, RepairKind};
+use super::reading::{Repair, RepairKind, counted};
 use crate::model::text::one_line;
 
 /// Words of a message: more are not listed.
@@ -79,7 +79,7 @@ impl Values {
         kept.retain(|row| !self.numbers[*row].is_nan());
         let rows = before - kept.len();
         if rows > 0 {
-            let text = format!("{rows} rows without a number in {name} are left out{}", self.what());
+            let text = format!("{} without a number in {name} left out{}", counted(rows, "row"), self.what());
             repairs.push(Repair::new(RepairKind::NoValue, rows, text));
         }
     }
@@ -124,8 +124,11 @@ pub(super) fn held(
         values.numbers.reverse();
     }
     if missing > 0 {
-        let text =
-            format!("{missing} cells of {name} without a number hold the number before{}", values.what());
+        let text = format!(
+            "{} of {name} without a number: the number before is held{}",
+            counted(missing, "cell"),
+            values.what()
+        );
         repairs.push(Repair::new(RepairKind::HeldValues, missing, text));
     }
 }
@@ -159,7 +162,7 @@ pub(super) fn quality(
     }
     let rows = before - kept.len();
     if rows > 0 {
-        let text = format!("{rows} rows that {name} marks as bad are left out");
+        let text = format!("{} marked as bad by {name} left out", counted(rows, "row"));
         repairs.push(Repair::new(RepairKind::BadQuality, rows, text));
     }
 }
