@@ -111,6 +111,29 @@ fn dead_stretches_limits_and_spikes_are_found_where_they_are() {
 }
 
 #[test]
+fn a_level_at_rest_without_noise_is_neither_dead_nor_at_a_limit_nor_archived() {
+    // At rest, then driven by a pulse with a dead time of ten rows, then at rest again where it began.
+    let valve: Vec<f64> = (0..ROWS)
+        .map(|row| if (300..600).contains(&row) { (row as f64 * 0.05).sin() } else { 0.0 })
+        .collect();
+    let mut level = vec![0.0; ROWS];
+    for row in 11..ROWS {
+        level[row] = 0.98 * level[row - 1] + 0.01 * valve[row - 11];
+        if row > 900 {
+            level[row] = 0.0;
+        }
+    }
+    let found = survey(level, valve);
+    let signal = &found.controlled_variable;
+    assert_eq!(
+        (signal.flat.len(), signal.limits.len(), signal.compression.as_ref()),
+        (0, 0, None),
+        "{signal:?}"
+    );
+    assert_eq!((found.window.from, found.window.to), (0, ROWS));
+}
+
+#[test]
 fn a_constant_says_so_and_an_empty_one_tells_nothing() {
     let found = survey(level(|_| 0.0), vec![40.0; ROWS]);
     assert!(found.manipulated_variable.is_constant);

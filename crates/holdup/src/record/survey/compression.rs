@@ -66,6 +66,9 @@ fn held(values: &[f64], moves: &[f64], quantum: Option<f64>) -> Option<Compressi
     Some(Compression { kind: CompressionKind::Held, share, rows_per_point, evidence })
 }
 
+/// Fewer points than these are no archive, but a signal that bends a few times.
+const LEAST_POINTS: usize = 20;
+
 /// Rows on straight lines: second differences of next to nothing, far more often than noise would have them.
 fn interpolated(values: &[f64], quantum: Option<f64>) -> Option<Compression> {
     let bends: Vec<f64> = values.windows(3).map(|part| part[2] - 2.0 * part[1] + part[0]).collect();
@@ -84,6 +87,15 @@ fn interpolated(values: &[f64], quantum: Option<f64>) -> Option<Compression> {
     // Normal noise has the share 0.8·straight/size there.
     let expected = 0.8 * straight / size;
     if share < 0.15 || share < 6.0 * expected {
+        return None;
+    }
+    // Archived points are kinks between straight lines. A signal that is smooth without noise, too, bends little in
+    // most of its rows, but where it bends it does so in many rows on end.
+    let is_bent = |bend: f64| bend.abs() > straight;
+    let points = bends.windows(3).filter(|part| is_bent(part[1]));
+    let kinks = points.clone().filter(|part| !is_bent(part[0]) && !is_bent(part[2])).count();
+    let points = points.count();
+    if points < LEAST_POINTS || kinks * 10 < points {
         return None;
     }
     let rows_per_point = 1.0 / (1.0 - share).max(1.0 / real(bends.len()));

@@ -71,7 +71,8 @@ impl Survey {
     pub fn of(record: &Record) -> Self {
         let sampling = Sampling::of(record.time());
         let signal = |values: &[f64], measured| Signal::of(record.time(), values, &sampling, measured);
-        let controlled_variable = signal(record.controlled_variable(), true);
+        let controlled_variable =
+            signal(record.controlled_variable(), true).without_rest(record.manipulated_variable());
         let manipulated_variable = signal(record.manipulated_variable(), false);
         let setpoint = record.setpoint().map(|values| signal(values, false));
         let (setpoint_moves, setpoint_follows) = record

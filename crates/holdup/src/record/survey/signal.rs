@@ -97,7 +97,9 @@ impl Signal {
         let at_limit = |span: &Span| {
             limits.iter().any(|limit| (limit.value - span.value).abs() <= quantum.unwrap_or(0.0))
         };
-        let flat = flat(time, values).into_iter().filter(|span| !at_limit(span)).collect();
+        // What is set may stand still as long as it likes.
+        let flat = if measured { flat(time, values) } else { Vec::new() };
+        let flat = flat.into_iter().filter(|span| !at_limit(span)).collect();
         Self {
             least,
             greatest,
@@ -110,6 +112,26 @@ impl Signal {
             spikes: spikes(values, quantum.unwrap_or(0.0)),
             oscillation: oscillation(time, values, sampling),
         }
+    }
+}
+
+impl Signal {
+    /// The controlled variable without the stretches in which it stands still because nothing moves it: a level that
+    /// rests while the manipulated variable rests is neither dead nor at a limit. Its last fifth is left to the dead
+    /// time of the process.
+    pub(super) fn without_rest(mut self, manipulated: &[f64]) -> Self {
+        let rests = |span: &Span| {
+            let part = &manipulated[span.from..=span.from + (span.rows() - 1) * 4 / 5];
+            part.iter().all(|value| *value == part[0])
+        };
+        self.flat.retain(|span| !rests(span));
+        // A level held at its limit rests, too: only the ends of a record are taken for the time before and after.
+        let last = manipulated.len() - 1;
+        for limit in &mut self.limits {
+            limit.spans.retain(|span| !(rests(span) && (span.from == 0 || span.to == last)));
+        }
+        self.limits.retain(|limit| !limit.spans.is_empty());
+        self
     }
 }
 
