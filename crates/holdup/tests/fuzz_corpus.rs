@@ -8,20 +8,26 @@ use std::path::Path;
 use holdup::model::events::read_events;
 use holdup::model::loop_file::{read_loop, write_loop};
 use holdup::model::notation::{read_controller, read_process, write_controller, write_process};
+use holdup::record::{ReadOptions, Survey, read_bytes};
 use holdup::study::read_study;
+
+/// Calls `check` with every file of a corpus.
+fn replay_bytes(target: &str, check: impl Fn(&[u8])) {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/corpus").join(target);
+    let files: Vec<_> = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    assert!(files.len() >= 5, "{files:?}");
+    for file in files {
+        check(&std::fs::read(file).unwrap());
+    }
+}
 
 /// Calls `check` with every text of a corpus.
 fn replay(target: &str, check: impl Fn(&str)) {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/corpus").join(target);
-    let mut texts = 0;
-    for entry in std::fs::read_dir(folder).unwrap() {
-        let bytes = std::fs::read(entry.unwrap().path()).unwrap();
-        if let Ok(text) = std::str::from_utf8(&bytes) {
+    replay_bytes(target, |bytes| {
+        if let Ok(text) = std::str::from_utf8(bytes) {
             check(text);
-            texts += 1;
         }
-    }
-    assert!(texts >= 5, "{texts}");
+    });
 }
 
 fn one_line(error: &impl ToString) {
@@ -59,5 +65,13 @@ fn compact_strings_come_back_as_they_were_written() {
         if let Err(error) = read_events("--setpoint", text) {
             one_line(&error);
         }
+    });
+}
+
+#[test]
+fn records_are_read_and_looked_at_or_refused_in_one_line() {
+    replay_bytes("record", |bytes| match read_bytes(bytes, &ReadOptions::default()) {
+        Ok(reading) => assert!(!Survey::of(&reading.record).text().is_empty()),
+        Err(error) => one_line(&error),
     });
 }

@@ -8,12 +8,14 @@ mod convert;
 mod man;
 pub(crate) mod optimise;
 mod ranking;
+mod record_input;
 mod region;
 mod reproduce;
 pub(crate) mod robust;
 mod rule_page;
 mod rules;
 mod simulate;
+mod survey;
 mod tune;
 mod view;
 
@@ -28,6 +30,7 @@ pub(crate) fn run(command: &Command, console: Console) -> Result<Answer, Fault> 
         Command::Tune(args) => tune::run(args, console),
         Command::Analyse(args) => analyse::run(args, console),
         Command::Region(args) => region::run(args, console),
+        Command::Survey(args) => survey::run(args, console),
         Command::Simulate(args) => simulate::run(args, console),
         Command::Compare(args) => compare::run(args, console),
         Command::Optimise(args) => optimise::run(args, console),
