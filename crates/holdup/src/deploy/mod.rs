@@ -1,0 +1,3 @@
+//! What to run, or to type, in the plant.
+
+pub mod export;
