@@ -34,9 +34,9 @@ impl Words<'_> {
 
 /// Runs one of the controllers to the end of its part of the trace.
 macro_rules! run {
-    ($module:ident) => {{
+    ($module:ident, $lines:ident) => {{
         let mut controller = None;
-        while let Some(line) = lines.next_if(|line| !line.starts_with('d')) {
+        while let Some(line) = $lines.next_if(|line| !line.starts_with('d')) {
             let mut words = Words(line[1..].split_whitespace());
             if line.starts_with('u') {
                 let controller: &mut $module::Controller = controller.as_mut().unwrap();
