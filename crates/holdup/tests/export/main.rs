@@ -5,4 +5,5 @@
 mod c;
 mod rust;
 mod sources;
+mod st;
 mod trace;

@@ -161,7 +161,7 @@ pub(crate) fn random_settings<T: Real>(rng: &mut ChaCha8Rng, scale: Scale) -> Gi
     }
     let observer_gain = t(rng.random_range(0.1..0.5) * per_gain);
     let model_gain = t(rng.random_range(0.7..1.4) * gain);
-    let (dead_time, period) = (rng.random_range(0.6..1.6) * time, rng.random_range(0.05..0.5) * time);
+    let (dead_time, period) = (rng.random_range(0.6..1.6) * time, rng.random_range(0.02..0.5) * time);
     let mut observer = Observer::new(observer_gain, model_gain, t(dead_time), t(period)).unwrap();
     if rng.random_bool(0.3) {
         let lead = (t(rng.random_range(0.0..0.6) * time), t(rng.random_range(0.05..0.3) * time));
@@ -176,6 +176,8 @@ pub(crate) fn random_settings<T: Real>(rng: &mut ChaCha8Rng, scale: Scale) -> Gi
 /// The text that a program is told, line by line, and what it must answer.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Trace {
+    /// Never begin at rest, which a function block cannot.
+    pub(crate) switched_on_only: bool,
     pub(crate) told: String,
     pub(crate) expected: String,
     /// Updates in it.
@@ -213,7 +215,7 @@ impl Trace {
         let mut given = first;
         let storage = vec![Segment::default(); segments];
         let start = T::from_f64(rng.random_range(-1.0..1.0));
-        let (mut state, told) = if rng.random_bool(0.5) {
+        let (mut state, told) = if self.switched_on_only || rng.random_bool(0.5) {
             let state = State::switched_on(&given.settings, storage, start);
             (state, format!("o {}\n", start.bits()))
         } else {
