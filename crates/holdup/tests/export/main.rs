@@ -3,7 +3,9 @@
 #![expect(clippy::unwrap_used, reason = "helpers of tests may unwrap")]
 
 mod c;
+mod plcopen;
 mod rust;
 mod sources;
 mod st;
+mod text;
 mod trace;

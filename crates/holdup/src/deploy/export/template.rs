@@ -38,9 +38,12 @@ pub(super) fn fill(template: &str, marks: &[Mark], write: impl Fn(&Value) -> Str
             }
             rest = after;
         }
-        filled += &done;
-        filled += rest;
-        filled.push('\n');
+        done += rest;
+        // What stands before a mark of several lines may end in a space; an empty line is empty.
+        for line in done.split('\n') {
+            filled += line.trim_end();
+            filled.push('\n');
+        }
     }
     filled
 }
@@ -105,7 +108,7 @@ mod tests {
         let write = |value: &Value| format!("<{value:?}>");
         assert_eq!(
             fill("f(@a@, @c@)\n * @b@\n@d@\n", &marks, write),
-            "f(<Number(1.0)>, <Flag(true)>)\n * x\n * \n * y\n@d@\n"
+            "f(<Number(1.0)>, <Flag(true)>)\n * x\n *\n * y\n@d@\n"
         );
     }
 
