@@ -3,6 +3,7 @@
 mod analyse;
 mod compare;
 mod completions;
+mod export;
 mod man;
 mod ranking;
 mod region;
@@ -27,6 +28,7 @@ pub(crate) fn run(command: &Command, console: Console) -> Result<Answer, Fault> 
         Command::Simulate(args) => simulate::run(args, console),
         Command::Compare(args) => compare::run(args, console),
         Command::Reproduce(args) => reproduce::run(args, console),
+        Command::Export(args) => export::run(args, console),
         Command::Completions(args) => completions::run(args),
         Command::Man => man::run(),
     }
