@@ -39,9 +39,9 @@ int main(void)
             given = loop_design;
         } else if (line[0] == 's') {
         /* the settings */
-            if (loop_fault(&given)) {
-                return 1;
-            }
+        } else if (line[0] == 'f') {
+            const char *const fault = loop_fault(&given);
+            printf("%s\n", fault ? fault : "good");
         } else if (line[0] == 'o') {
             printf("%d\n", loop_switch_on(&state, &given, number()));
         } else if (line[0] == 'r') {

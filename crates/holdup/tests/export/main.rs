@@ -3,6 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "helpers of tests may unwrap")]
 
 mod c;
+mod cortex_m4;
 mod plcopen;
 mod rust;
 mod sources;

@@ -75,21 +75,14 @@ fn delay_line(export: &Export) -> Option<String> {
     let observer = export.settings.law().observer?;
     // A line of n segments holds n - 2 whole samples.
     let samples = f64::from(u32::try_from(export.segments).unwrap_or(u32::MAX)) - 2.0;
+    let (dead_time, h) = (observer.dead_time(), observer.sample_period());
+    let digits = |value: f64| (value * 1e4).floor() / 1e4;
+    let (longest, shortest) = (digits(samples * h), digits(dead_time / samples) + 1e-4);
     Some(format!(
-        "delay line     {} segments, {} needed for {} s at {h} s: enough for a dead time below {:.4} s,\n               \
-         or for samples every {:.4} s",
-        export.segments,
-        export.needed,
-        observer.dead_time(),
-        samples * observer.sample_period(),
-        round_up(observer.dead_time() / samples),
-        h = observer.sample_period(),
+        "delay line     {} segments, {} needed for {dead_time} s at {h} s: enough for a dead time below {longest} s,\n\
+         \u{20}              or for samples every {shortest:.4} s",
+        export.segments, export.needed,
     ))
-}
-
-/// To four digits behind the point, never less than the value.
-fn round_up(value: f64) -> f64 {
-    (value * 1e4).floor() / 1e4 + 1e-4
 }
 
 /// The margins of the loop that was designed.

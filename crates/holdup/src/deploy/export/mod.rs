@@ -145,13 +145,16 @@ impl Export {
             && h / 2.0 >= delay_margin
         {
             warnings.push(format!(
-                "The hold of a sample period of {h} s adds about {} s of dead time, and the delay margin is {delay_margin:.4} s: choose a shorter sample period.",
+                "The hold of a sample period of {h} s acts like about {} s more dead time, and the delay margin is \
+                 {delay_margin:.4} s: choose a shorter sample period.",
                 h / 2.0
             ));
         }
         if self.controller.derivative_time().is_some() && self.controller.derivative_filter().is_none() {
             let pid = self.settings.law().pid;
-            let gain = pid.proportional_gain() * (1.0 + pid.derivative_time().unwrap_or(0.0) / h);
+            let observer_gain = self.settings.law().observer.map_or(0.0, |observer| observer.observer_gain());
+            let kc = pid.proportional_gain();
+            let gain = kc * (1.0 + pid.derivative_time().unwrap_or(0.0) / h) + observer_gain;
             warnings.push(format!(
                 "The derivative is not filtered: sampled, it passes measurement noise with a gain of {:.4}.",
                 gain.abs()
