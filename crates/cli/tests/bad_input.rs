@@ -85,16 +85,32 @@ fn each_fault_of_an_export_names_its_option_and_what_is_allowed() {
     let absent = absent.to_str().unwrap();
     let observed = "Kc=1.5321,Td=1.0343,Ko=1.5321";
     for (controller, words, parts) in [
-        ("Kc=1", &["--sample-period", "0"][..], "--sample-period is 0: must be above 0 and at most the dead time of 6 s"),
+        (
+            "Kc=1",
+            &["--sample-period", "0"][..],
+            "--sample-period is 0: must be above 0 and at most the dead time of 6 s",
+        ),
         ("Kc=1", &["--sample-period", "-1"], "--sample-period is -1"),
         ("Kc=1", &["--sample-period", "nan"], "--sample-period is nan"),
-        ("Kc=1", &["--sample-period", "6.1"], "--sample-period is 6.1: must be above 0 and at most the dead time"),
+        (
+            "Kc=1",
+            &["--sample-period", "6.1"],
+            "--sample-period is 6.1: must be above 0 and at most the dead time",
+        ),
         ("Kc=1,Ko=1,dm=0.2", &[], "--sample-period is 0.5: must be at most the model's dead time of 0.2 s"),
         (observed, &["--sample-period", "1us"], "--sample-period is 1us"),
         (observed, &["--sample-period", "0.00001"], "the delay line would need 600003 segments"),
-        (observed, &["--segments", "14"], "--segments is 14: must be 15 to 131072: a dead time of 6 s at 0.5 s needs 15"),
+        (
+            observed,
+            &["--segments", "14"],
+            "--segments is 14: must be 15 to 131072: a dead time of 6 s at 0.5 s needs 15",
+        ),
         (observed, &["--segments", "1e9"], "--segments: '1e9'"),
-        ("Kc=1", &["--segments", "20"], "--segments is 20: must be absent: only an observer has a delay line"),
+        (
+            "Kc=1",
+            &["--segments", "20"],
+            "--segments is 20: must be absent: only an observer has a delay line",
+        ),
         ("Kc=1", &["--limits", "100:0"], "--limits: output_low is 100: must be below output_high"),
         ("Kc=1", &["--limits", "0"], "--limits: '0': must be low:high"),
         ("Kc=1", &["--limits", ":"], "--limits: ':'"),
@@ -132,7 +148,8 @@ fn each_fault_of_an_export_names_its_option_and_what_is_allowed() {
     }
     assert_eq!(std::fs::read_dir(&folder).unwrap().count(), 0);
     assert!(refused(&["export", "-p", PROCESS, "-c", "Kc=1", "--language", "c"]).contains("--sample-period"));
-    let lagging = ["export", "-p", "K=1,d=6,T=1", "-c", "Kc=1,Ko=1", "--language", "st", "--sample-period", "1"];
+    let lagging =
+        ["export", "-p", "K=1,d=6,T=1", "-c", "Kc=1,Ko=1", "--language", "st", "--sample-period", "1"];
     assert!(refused(&lagging).contains("observer_gain: has no sampled law on this process"));
 }
 
@@ -143,7 +160,10 @@ fn a_compensator_without_a_sampled_law_is_named() {
                 parameters = { main_gain = 0.2, filter_time_s = 2.0, model_gain = 1.0, model_dead_time_s = 2.0 }\n";
     std::fs::write(&file, huba).unwrap();
     let words = ["export", file.to_str().unwrap(), "--language", "rust", "--sample-period", "0.1"];
-    assert!(refused(&words).contains("P+inverse-DOB: has no sampled law: of the compensators only SP+DOB has one"));
+    assert!(
+        refused(&words)
+            .contains("P+inverse-DOB: has no sampled law: of the compensators only SP+DOB has one")
+    );
 }
 
 #[test]

@@ -12,12 +12,21 @@ use rand_chacha::ChaCha8Rng;
 use crate::sources::{LOOPS, answer, compile, export, folder, given, must_agree};
 use crate::trace::{Field, Given, Real, Scale, Trace, fields, random_settings};
 
-const STRICT: [&str; 8] =
-    ["-std=c99", "-Wall", "-Wextra", "-pedantic", "-Werror", "-Wconversion", "-Wdouble-promotion", "-Wshadow"];
+const STRICT: [&str; 8] = [
+    "-std=c99",
+    "-Wall",
+    "-Wextra",
+    "-pedantic",
+    "-Werror",
+    "-Wconversion",
+    "-Wdouble-promotion",
+    "-Wshadow",
+];
 
 /// A program that reads a trace and writes what the exported controller answers.
 fn harness<T: Real>(given: &Given<T>) -> String {
-    let real = if size_of::<T>() == 4 { ("float", "uint32_t", "08llx") } else { ("double", "uint64_t", "016llx") };
+    let real =
+        if size_of::<T>() == 4 { ("float", "uint32_t", "08llx") } else { ("double", "uint64_t", "016llx") };
     let mut read = String::new();
     for (name, field) in fields(given) {
         let reader = if matches!(field, Field::Flag(_)) { "integer() != 0" } else { "number()" };
@@ -45,7 +54,6 @@ fn built<T: Real>(folder: &Path, export: &Export, given: &Given<T>, optimised: &
     Command::new(program)
 }
 
-
 fn c_agrees_bit_for_bit<T: Real>(name: &str) {
     let began = Instant::now();
     let (mut updates, mut statuses) = (0, [0; 7]);
@@ -69,7 +77,12 @@ fn c_agrees_bit_for_bit<T: Real>(name: &str) {
         let levels: &[&str] = if [0, 7].contains(&index) { &["-O2", "-O0"] } else { &["-O2"] };
         for optimised in levels {
             let answered = answer(&mut built::<T>(&folder, &export, &given(&export), optimised), &trace.told);
-            must_agree(&format!("C {name} {optimised} of {described:?}"), &trace.told, &trace.expected, &answered);
+            must_agree(
+                &format!("C {name} {optimised} of {described:?}"),
+                &trace.told,
+                &trace.expected,
+                &answered,
+            );
         }
         updates += trace.updates;
         for (total, count) in statuses.iter_mut().zip(trace.statuses) {

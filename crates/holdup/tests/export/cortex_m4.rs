@@ -29,7 +29,8 @@ const FILES: [(&str, &str); 4] = [
 /// What of the tools is absent.
 fn absent() -> Option<&'static str> {
     let runs = |program: &str| {
-        let asked = Command::new(program).arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
+        let asked =
+            Command::new(program).arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
         asked.is_ok_and(|status| status.success())
     };
     if !runs(RUSTC) || !Path::new("/usr/lib/rustlib/src/rust/library/core").exists() {
@@ -42,7 +43,12 @@ fn absent() -> Option<&'static str> {
 
 fn arm_gcc(folder: &Path, digits: &str) -> Command {
     let mut command = Command::new("arm-none-eabi-gcc");
-    command.args(ARM).args(["-ffp-contract=off", "-fno-tree-loop-distribute-patterns", "-nostdlib", "-Wl,-z,noexecstack"]);
+    command.args(ARM).args([
+        "-ffp-contract=off",
+        "-fno-tree-loop-distribute-patterns",
+        "-nostdlib",
+        "-Wl,-z,noexecstack",
+    ]);
     command.arg(format!("-DDIGITS={digits}")).args(["-T", "link.ld", "startup.c"]).current_dir(folder);
     command
 }
@@ -50,8 +56,25 @@ fn arm_gcc(folder: &Path, digits: &str) -> Command {
 /// What the image answers.
 fn emulated(folder: &Path, image: &str) -> String {
     let output = Command::new("timeout")
-        .args(["120", "qemu-system-arm", "-M", "mps2-an386", "-cpu", "cortex-m4", "-nographic", "-monitor", "none"])
-        .args(["-serial", "null", "-chardev", "stdio,id=told", "-semihosting-config", "enable=on,chardev=told"])
+        .args([
+            "120",
+            "qemu-system-arm",
+            "-M",
+            "mps2-an386",
+            "-cpu",
+            "cortex-m4",
+            "-nographic",
+            "-monitor",
+            "none",
+        ])
+        .args([
+            "-serial",
+            "null",
+            "-chardev",
+            "stdio,id=told",
+            "-semihosting-config",
+            "enable=on,chardev=told",
+        ])
         .args(["-kernel", image])
         .current_dir(folder)
         .stdin(Stdio::null())
@@ -73,7 +96,11 @@ fn rust_library(folder: &Path, real: &str, bits: &str) {
     std::fs::rename(folder.join("exported.rs"), folder.join("src/exported.rs")).unwrap();
     let main = include_str!("cortex_m4/loop_in_rust.rs");
     let main = main.replace("type Real = f64", &format!("type Real = {real}"));
-    std::fs::write(folder.join("src/lib.rs"), main.replace("type Bits = u64", &format!("type Bits = {bits}"))).unwrap();
+    std::fs::write(
+        folder.join("src/lib.rs"),
+        main.replace("type Bits = u64", &format!("type Bits = {bits}")),
+    )
+    .unwrap();
     compile(
         Command::new(env!("CARGO"))
             .args(["build", "--quiet", "--release", "--target", TARGET, "-Zbuild-std=core,panic_abort"])
@@ -92,7 +119,11 @@ fn the_cortex_m4_agrees_bit_for_bit<T: Real>(real: &str, bits: &str) {
         return;
     }
     let digits = if size_of::<T>() == 4 { "8" } else { "16" };
-    let c_real = if size_of::<T>() == 4 { ["-DREAL=float", "-DBITS=uint32_t"] } else { ["-DREAL=double", "-DBITS=uint64_t"] };
+    let c_real = if size_of::<T>() == 4 {
+        ["-DREAL=float", "-DBITS=uint32_t"]
+    } else {
+        ["-DREAL=double", "-DBITS=uint64_t"]
+    };
     let (chosen, mut updates) = ([0, 1, 2, 7], 0);
     for index in chosen {
         let (export, scale) = export("loop", LOOPS[index], T::FLOAT);
@@ -109,7 +140,13 @@ fn the_cortex_m4_agrees_bit_for_bit<T: Real>(real: &str, bits: &str) {
         std::fs::write(folder.join("loop.c"), language("c").unwrap().write(&export)).unwrap();
         std::fs::write(folder.join("exported.rs"), language("rust").unwrap().write(&export)).unwrap();
 
-        compile(arm_gcc(&folder, digits).args(c_real).args(["loop_in_c.c", "loop.c", "-lgcc", "-o", "c.elf"]));
+        compile(arm_gcc(&folder, digits).args(c_real).args([
+            "loop_in_c.c",
+            "loop.c",
+            "-lgcc",
+            "-o",
+            "c.elf",
+        ]));
         let answered = emulated(&folder, "c.elf");
         must_agree(&format!("C {real} on the Cortex-M4"), &trace.told, &trace.expected, &answered);
 
@@ -120,7 +157,10 @@ fn the_cortex_m4_agrees_bit_for_bit<T: Real>(real: &str, bits: &str) {
         must_agree(&format!("Rust {real} on the Cortex-M4"), &trace.told, &trace.expected, &answered);
         updates += trace.updates;
     }
-    println!("Cortex-M4 {real}: {} exported controllers, {updates} updates, Rust and C: 0 bits differ", chosen.len());
+    println!(
+        "Cortex-M4 {real}: {} exported controllers, {updates} updates, Rust and C: 0 bits differ",
+        chosen.len()
+    );
 }
 
 #[test]

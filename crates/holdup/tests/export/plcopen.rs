@@ -58,7 +58,8 @@ fn every_element_is_where_the_schema_has_it() {
     for node in document.descendants().filter(Node::is_element) {
         let name = node.tag_name().name();
         assert_eq!(node.tag_name().namespace(), Some(if name == "xhtml" { XHTML } else { TC6 }), "{name}");
-        let children: Vec<_> = node.children().filter(Node::is_element).map(|n| n.tag_name().name()).collect();
+        let children: Vec<_> =
+            node.children().filter(Node::is_element).map(|n| n.tag_name().name()).collect();
         if lists.contains(&name) {
             assert!(children.iter().all(|child| *child == "variable"), "{name}: {children:?}");
         } else if name == "interface" {
@@ -66,7 +67,8 @@ fn every_element_is_where_the_schema_has_it() {
             assert!(rest.clone().all(|child| lists.contains(child)), "{children:?}");
         } else {
             let (_, allowed) = SCHEMA.iter().find(|(known, _)| *known == name).expect(name);
-            let places: Vec<_> = children.iter().map(|child| allowed.iter().position(|a| a == child)).collect();
+            let places: Vec<_> =
+                children.iter().map(|child| allowed.iter().position(|a| a == child)).collect();
             assert!(places.iter().all(Option::is_some) && places.is_sorted(), "{name}: {children:?}");
         }
         for (element, attributes) in [
@@ -106,7 +108,8 @@ fn of(node: Node) -> String {
         "derived" => kind.attribute("name").unwrap().to_owned(),
         "array" => {
             let dimension = child(kind, "dimension").unwrap();
-            let (lower, upper) = (dimension.attribute("lower").unwrap(), dimension.attribute("upper").unwrap());
+            let (lower, upper) =
+                (dimension.attribute("lower").unwrap(), dimension.attribute("upper").unwrap());
             format!("ARRAY[{lower}..{upper}] OF {}", of(child(kind, "baseType").unwrap()))
         }
         name => name.to_owned(),
@@ -117,7 +120,8 @@ fn variables(list: Node) -> String {
     let mut text = String::new();
     for variable in list.children().filter(Node::is_element) {
         let initial = child(variable, "initialValue").and_then(|value| value.first_element_child());
-        let initial = initial.map_or(String::new(), |value| format!(" := {}", value.attribute("value").unwrap()));
+        let initial =
+            initial.map_or(String::new(), |value| format!(" := {}", value.attribute("value").unwrap()));
         let kind = of(child(variable, "type").unwrap());
         text += &format!("{} : {kind}{initial};\n", variable.attribute("name").unwrap());
     }
@@ -139,8 +143,10 @@ fn the_xml_is_the_program_of_the_structured_text() {
             continue;
         }
         let interface = child(node, "interface").unwrap();
-        let keyword = if node.attribute("pouType") == Some("function") { "FUNCTION" } else { "FUNCTION_BLOCK" };
-        let result = child(interface, "returnType").map_or(String::new(), |result| format!(" : {}", of(result)));
+        let keyword =
+            if node.attribute("pouType") == Some("function") { "FUNCTION" } else { "FUNCTION_BLOCK" };
+        let result =
+            child(interface, "returnType").map_or(String::new(), |result| format!(" : {}", of(result)));
         program += &format!("{keyword} {name}{result}\n");
         for list in interface.children().filter(|list| list.tag_name().name().ends_with("Vars")) {
             program += match (list.tag_name().name(), list.has_attribute("constant")) {
@@ -152,7 +158,8 @@ fn the_xml_is_the_program_of_the_structured_text() {
             };
             program += &format!("{} END_VAR\n", variables(list));
         }
-        let body = child(node, "body").unwrap().descendants().find(|n| n.has_tag_name((XHTML, "xhtml"))).unwrap();
+        let body =
+            child(node, "body").unwrap().descendants().find(|n| n.has_tag_name((XHTML, "xhtml"))).unwrap();
         program += &format!("{} END_{keyword}\n", body.text().unwrap());
     }
     let (of_xml, of_text) = (bare(&program), bare(&source("st")));

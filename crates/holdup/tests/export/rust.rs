@@ -25,7 +25,8 @@ fn rust_agrees_bit_for_bit<T: Real>(real: &str) {
     let (mut modules, mut arms, mut all) = (String::new(), String::new(), Trace::default());
     for (index, described) in LOOPS.into_iter().enumerate() {
         let (export, scale) = export(&format!("loop{index}"), described, T::FLOAT);
-        std::fs::write(folder.join(format!("loop{index}.rs")), language("rust").unwrap().write(&export)).unwrap();
+        std::fs::write(folder.join(format!("loop{index}.rs")), language("rust").unwrap().write(&export))
+            .unwrap();
         modules += &format!("pub mod loop{index};\n");
         arms += &format!("        {index} => run!(loop{index}, lines),\n");
         let mut rng = ChaCha8Rng::seed_from_u64(100 + index as u64);
@@ -34,11 +35,28 @@ fn rust_agrees_bit_for_bit<T: Real>(real: &str) {
     }
     // The exports are a crate of their own that has no standard library.
     std::fs::write(folder.join("exports.rs"), format!("#![no_std]\n{modules}")).unwrap();
-    compile(rustc(&folder).args(["--crate-type", "rlib", "-L", ".", "--extern", "holdup_control=libholdup_control.rlib", "exports.rs"]));
+    compile(rustc(&folder).args([
+        "--crate-type",
+        "rlib",
+        "-L",
+        ".",
+        "--extern",
+        "holdup_control=libholdup_control.rlib",
+        "exports.rs",
+    ]));
     let main = include_str!("harness.rs").replace("f64", real).replace("        // the loops\n", &arms);
     let main = main.replace("u64", if real == "f32" { "u32" } else { "u64" });
-    std::fs::write(folder.join("main.rs"), main.replace("WIDTH", if real == "f32" { "08" } else { "016" })).unwrap();
-    compile(rustc(&folder).args(["--extern", "exports=libexports.rlib", "-L", ".", "--extern", "holdup_control=libholdup_control.rlib", "main.rs"]));
+    std::fs::write(folder.join("main.rs"), main.replace("WIDTH", if real == "f32" { "08" } else { "016" }))
+        .unwrap();
+    compile(rustc(&folder).args([
+        "--extern",
+        "exports=libexports.rlib",
+        "-L",
+        ".",
+        "--extern",
+        "holdup_control=libholdup_control.rlib",
+        "main.rs",
+    ]));
 
     let answered = answer(&mut Command::new(folder.join("main")), &all.told);
     must_agree(&format!("Rust {real}"), &all.told, &all.expected, &answered);

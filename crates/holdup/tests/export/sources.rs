@@ -4,9 +4,9 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
+use crate::trace::{Given, Real, Scale};
 use holdup::deploy::export::{Export, Float, Installation};
 use holdup::model::notation::{read_controller, read_process};
-use crate::trace::{Given, Real, Scale};
 use holdup::model::{Compensator, Controller, Seconds};
 
 /// Loops of the README and of the plant, one of each structure: process, controller.

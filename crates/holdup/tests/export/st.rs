@@ -10,8 +10,11 @@ use rand_chacha::ChaCha8Rng;
 use crate::sources::{LOOPS, answer, export, folder, given, must_agree};
 use crate::trace::{Real, Scale, Trace, fields, random_settings};
 
+/// Random controllers for each export.
+const RANDOM: usize = 15;
+
 /// A Python that has blark: the one that `check` installs, or the one named in the environment.
-pub(crate) fn python() -> Option<PathBuf> {
+fn python() -> Option<PathBuf> {
     let installed = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../target/check/bin/python");
     let python = std::env::var_os("HOLDUP_BLARK_PYTHON").map_or(installed, PathBuf::from);
     let asked = Command::new(&python).args(["-c", "import blark"]).stderr(Stdio::null()).status();
@@ -24,52 +27,49 @@ pub(crate) fn python() -> Option<PathBuf> {
     None
 }
 
-fn structured_text_agrees_bit_for_bit<T: Real>(real: &str, chosen: &[usize]) {
+/// Tells one of the exports a trace of its own and of random settings.
+fn tell<T: Real>(folder: &Path, all: &mut Trace, (place, index): (usize, usize)) -> String {
+    let (export, scale) = export("loop", LOOPS[index], T::FLOAT);
+    let source = format!("loop{place}.st");
+    std::fs::write(folder.join(&source), language("st").unwrap().write(&export)).unwrap();
+    let designed = given::<T>(&export);
+    let names: Vec<_> = fields(&designed).into_iter().map(|(name, _)| name).collect();
+    std::fs::write(folder.join("fields"), names.join("\n")).unwrap();
+    let mut rng = ChaCha8Rng::seed_from_u64(200 + index as u64);
+    let segments = export.segments().max(1);
+    all.told += &format!("d {place}\n");
+    all.run::<T>(&mut rng, scale, designed, &[], segments, 1000);
+    for _ in 0..RANDOM {
+        let scale = Scale::random(&mut rng);
+        let first = random_settings::<T>(&mut rng, scale);
+        let others: Vec<_> = (0..4).map(|_| random_settings(&mut rng, scale)).collect();
+        all.tell_settings(&first);
+        all.run(&mut rng, scale, first, &others, segments, 400);
+    }
+    source
+}
+
+#[test]
+fn structured_text_agrees_bit_for_bit() {
     let Some(python) = python() else { return };
-    let folder = folder(&format!("st-{real}"));
+    let folder = folder("st");
+    let mut all = Trace { switched_on_only: true, ..Trace::default() };
+    // With a delay line and without in double precision, predicting and with an observer in single.
+    let sources = [
+        tell::<f64>(&folder, &mut all, (0, 0)),
+        tell::<f64>(&folder, &mut all, (1, 2)),
+        tell::<f32>(&folder, &mut all, (2, 7)),
+        tell::<f32>(&folder, &mut all, (3, 0)),
+    ];
+    assert!(all.statuses.iter().all(|&count| count > 0), "{:?}: every status must have come", all.statuses);
     let mut command = Command::new(python);
     command.arg(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/export/structured_text.py"));
-    command.arg("fields").current_dir(&folder);
-    let mut all = Trace { switched_on_only: true, ..Trace::default() };
-    for (place, &index) in chosen.iter().enumerate() {
-        let (export, scale) = export("loop", LOOPS[index], T::FLOAT);
-        let source = format!("loop{index}.st");
-        std::fs::write(folder.join(&source), language("st").unwrap().write(&export)).unwrap();
-        command.arg(source);
-        let designed = given::<T>(&export);
-        let names: Vec<_> = fields(&designed).into_iter().map(|(name, _)| name).collect();
-        std::fs::write(folder.join("fields"), names.join("\n")).unwrap();
-        let mut rng = ChaCha8Rng::seed_from_u64(200 + index as u64);
-        let segments = export.segments().max(1);
-        all.told += &format!("d {place}\n");
-        all.run::<T>(&mut rng, scale, designed, &[], segments, 1000);
-        for _ in 0..20 {
-            let scale = Scale::random(&mut rng);
-            let first = random_settings::<T>(&mut rng, scale);
-            let others: Vec<_> = (0..4).map(|_| random_settings(&mut rng, scale)).collect();
-            all.tell_settings(&first);
-            all.run(&mut rng, scale, first, &others, segments, 400);
-        }
-    }
-    assert!(all.statuses.iter().all(|&count| count > 0), "{:?}: every status must have come", all.statuses);
-    let answered = answer(&mut command, &all.told);
-    must_agree(&format!("Structured Text, {real}"), &all.told, &all.expected, &answered);
+    let answered = answer(command.arg("fields").args(&sources).current_dir(&folder), &all.told);
+    must_agree("Structured Text", &all.told, &all.expected, &answered);
     println!(
-        "Structured Text {real}: {} exported controllers and {} random ones, {} updates: 0 bits differ",
-        chosen.len(),
-        chosen.len() * 20,
+        "Structured Text, LREAL and REAL: {} exported controllers and {} random ones, {} updates: 0 bits differ",
+        sources.len(),
+        sources.len() * RANDOM,
         all.updates
     );
-}
-
-// Of the two in double precision one has a delay line and one has not; the one in single precision predicts.
-
-#[test]
-fn structured_text_in_double_precision_agrees_bit_for_bit() {
-    structured_text_agrees_bit_for_bit::<f64>("LREAL", &[0, 2]);
-}
-
-#[test]
-fn structured_text_in_single_precision_agrees_bit_for_bit() {
-    structured_text_agrees_bit_for_bit::<f32>("REAL", &[7]);
 }

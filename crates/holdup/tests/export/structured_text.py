@@ -9,8 +9,8 @@ array, a type that does not fit and a variable that is not declared are faults, 
 the settings in the order of the trace; the trace is that of trace.rs.
 """
 
+import concurrent.futures
 import ctypes
-import functools
 import re
 import struct
 import sys
@@ -24,17 +24,30 @@ REALS = ("REAL", "LREAL", "ANY_REAL")
 OPERATORS = {"=": "==", "<>": "!=", "<": "<", ">": ">", "<=": "<=", ">=": ">="}
 
 
-# blark takes about 15 s for a whole source: it is given one declaration at a time, and each only once.
 END = re.compile(r"(?<=\nEND_TYPE\n)|(?<=\nEND_FUNCTION\n)")
 
 
-@functools.cache
 def parsed(text):
     """The declarations of a text."""
     result = parse_source_code(text)
     if result.exception is not None:
         raise result.exception
     return result.transform().items
+
+
+def all_parsed(sources):
+    """The declarations of several sources, and whether each computes in REAL.
+
+    blark takes about 15 s for a whole source. So it is given one declaration at a time, each only once, on two cores;
+    and a declaration in REAL is read as the one in LREAL: the type's name is all that differs.
+    """
+    parts = [[part for part in END.split(source) if part.strip()] for source in sources]
+    single = [not re.search(r"\bLREAL\b", source) for source in sources]
+    parts = [[re.sub(r"\bREAL\b", "LREAL", part) for part in some] for some in parts]
+    different = list(dict.fromkeys(part for some in parts for part in some))
+    with concurrent.futures.ProcessPoolExecutor(2) as pool:
+        trees = dict(zip(different, pool.map(parsed, different)))
+    return [([item for part in some for item in trees[part]], real) for some, real in zip(parts, single)]
 
 
 class Fault(Exception):
@@ -79,13 +92,11 @@ class Array(list):
 class Program:
     """The types, functions and function blocks of one source."""
 
-    def __init__(self, path):
-        with open(path, encoding="ascii") as file:
-            source = file.read()
+    def __init__(self, items, is_single):
+        self.is_single = is_single
         self.structures = {}
         self.functions = {}
         self.globals = {"single": single, "Reference": Reference, "Array": Array}
-        items = [item for part in END.split(source) if part.strip() for item in parsed(part)]
         units = [item for item in items if isinstance(item, (tree.Function, tree.FunctionBlock))]
         for item in items:
             if isinstance(item, tree.DataTypeDeclaration):
@@ -130,7 +141,7 @@ class Program:
 
     def initial(self, name, value):
         if name.upper() in SCALARS:
-            kind = name.upper()
+            kind = "REAL" if self.is_single and name.upper() == "LREAL" else name.upper()
             return kind, SCALARS[kind] if value is None else constant(value, kind)
         if name.lower() not in self.structures:
             raise Fault(f"the type {name} is not declared before it is used")
@@ -273,7 +284,7 @@ class Unit:
         if isinstance(expression, tree.Integer):
             return constant(expression, "DINT"), "ANY_INT"
         if isinstance(expression, tree.Real):
-            return constant(expression, "LREAL"), "ANY_REAL"
+            return constant(expression, "REAL" if self.program.is_single else "LREAL"), "ANY_REAL"
         if isinstance(expression, tree.FunctionCall):
             return self.call(expression)
         if isinstance(expression, tree.UnaryOperation):
@@ -349,7 +360,7 @@ class Loop:
         self.instance = program.globals[f"frame_{self.unit.name}"]()
         self.update = program.globals[f"run_{self.unit.name}"]
         self.fits = program.globals[f"run_{self.unit.name}_line_is_long_enough"]
-        self.is_single = self.unit.kinds["setpoint"] == "REAL"
+        self.is_single = program.is_single
 
     def number(self, word):
         form, bits = (">f", int(word, 16).to_bytes(4, "big")) if self.is_single else (">d", bytes.fromhex(word))
@@ -387,7 +398,11 @@ class Loop:
 def main(fields, *sources):
     with open(fields, encoding="ascii") as file:
         fields = file.read().split()
-    programs = [Program(source) for source in sources]
+    texts = []
+    for source in sources:
+        with open(source, encoding="ascii") as file:
+            texts.append(file.read())
+    programs = [Program(items, is_single) for items, is_single in all_parsed(texts)]
     loop = None
     for line in sys.stdin:
         kind, *words = line.split()

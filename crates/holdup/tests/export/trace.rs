@@ -323,7 +323,8 @@ impl Plant {
         let unit = self.scale.gain * self.scale.time;
         let bad = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e300, -1e36];
         let bad = bad[rng.random_range(0..bad.len())];
-        let nominal = given.settings.law().observer.map_or(0.2 * self.scale.time, |o| o.sample_period().to_f64());
+        let nominal =
+            given.settings.law().observer.map_or(0.2 * self.scale.time, |o| o.sample_period().to_f64());
         if rng.random_bool(0.02) {
             self.setpoint = unit * rng.random_range(-2.0..2.0);
         }

@@ -54,7 +54,10 @@ fn surroundings(export: &Export) -> Vec<String> {
     } else {
         lines.push("limits         none: the actuator's should be set".to_owned());
     }
-    lines.push(format!("rate limit     {}", limits.rate().map_or("none".to_owned(), |rate| format!("{rate} per s"))));
+    lines.push(format!(
+        "rate limit     {}",
+        limits.rate().map_or("none".to_owned(), |rate| format!("{rate} per s"))
+    ));
     if let Some((low, high)) = watch.range() {
         lines.push(format!("measurement    {low} to {high}: one outside it holds the output"));
     }

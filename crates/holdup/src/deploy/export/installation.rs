@@ -134,10 +134,9 @@ impl Installation {
             return self.segments.map_or(Ok((0, 0)), refused);
         };
         let needed = match self.float {
-            Float::Single => segments_needed(
-                f32::from_f64(observer.dead_time()),
-                f32::from_f64(observer.sample_period()),
-            ),
+            Float::Single => {
+                segments_needed(f32::from_f64(observer.dead_time()), f32::from_f64(observer.sample_period()))
+            }
             Float::Double => observer.segments_needed(),
         };
         if needed > Self::MOST_SEGMENTS {

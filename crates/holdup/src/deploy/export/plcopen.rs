@@ -23,7 +23,8 @@ fn write(export: &Export) -> String {
     let scaling = ["fbd", "ld", "sfc"]
         .map(|language| format!("<{language}><scaling x=\"1\" y=\"1\"/></{language}>"))
         .concat();
-    let header = source.strip_prefix("(*").and_then(|rest| rest.split_once("*)")).map_or("", |(text, _)| text);
+    let header =
+        source.strip_prefix("(*").and_then(|rest| rest.split_once("*)")).map_or("", |(text, _)| text);
     format!(
         "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n\
          <project xmlns=\"http://www.plcopen.org/xml/tc6_0201\">\n\
@@ -116,7 +117,8 @@ fn units(source: &str) -> Vec<Unit<'_>> {
 /// The unit that a line begins.
 fn opened<'t>(line: &'t str, comment: &[&str]) -> Option<Unit<'t>> {
     let (keyword, rest) = line.split_once(' ')?;
-    let (name, result) = rest.split_once(" :").map_or((rest, None), |(name, result)| (name, Some(result.trim())));
+    let (name, result) =
+        rest.split_once(" :").map_or((rest, None), |(name, result)| (name, Some(result.trim())));
     let kind = match keyword {
         "TYPE" => Kind::Type,
         "FUNCTION" => Kind::Function,
@@ -148,7 +150,8 @@ fn data_type(unit: &Unit) -> String {
 
 fn pou(unit: &Unit) -> String {
     let pou_type = if unit.kind == Kind::Function { "function" } else { "functionBlock" };
-    let result = unit.result.map_or(String::new(), |of| format!("<returnType>{}</returnType>\n", type_element(of)));
+    let result =
+        unit.result.map_or(String::new(), |of| format!("<returnType>{}</returnType>\n", type_element(of)));
     let lists: String = unit
         .lists
         .iter()

@@ -100,11 +100,8 @@ mod tests {
 
     #[test]
     fn marks_are_filled_and_the_rest_stays() {
-        let marks = [
-            ("a", Value::Number(1.0)),
-            ("b", Value::Text("x\n\ny".to_owned())),
-            ("c", Value::Flag(true)),
-        ];
+        let marks =
+            [("a", Value::Number(1.0)), ("b", Value::Text("x\n\ny".to_owned())), ("c", Value::Flag(true))];
         let write = |value: &Value| format!("<{value:?}>");
         assert_eq!(
             fill("f(@a@, @c@)\n * @b@\n@d@\n", &marks, write),
