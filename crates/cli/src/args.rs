@@ -116,6 +116,13 @@ Examples:
   holdup convert -p K=0.0506,d=6 -c Kc=2.95,Ti=15,Td=3,N=100 --to all
   holdup convert --from rockwell-pide-dependent PGain=2,IGain=5 --pv-span 0:5 --op-span 0:100")]
     Convert(ConvertArgs),
+    /// Write the controller as source code that runs in the plant: the same law, bit for bit
+    #[command(after_help = "\
+Examples:
+  holdup export -p K=0.0506,d=6 -c Kc=1.5321,Td=1.0343,Ko=1.5321 --sample-period 0.5 --language c \\
+      --limits 0:100 --rate-limit 10 --failure-time 60 --safe-output 20 --name level_d205 --output level_d205.c
+  holdup export loop.toml --sample-period 100ms --language st --float f32")]
+    Export(ExportArgs),
     /// Write the completion script of a shell to standard output
     #[command(
         after_help = "Example:\n  holdup completions bash > ~/.local/share/bash-completion/completions/holdup"
@@ -410,6 +417,59 @@ pub(crate) struct ConvertArgs {
     /// Period at which the block is executed
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     pub(crate) sample_period: Option<String>,
+}
+
+/// `holdup export`.
+#[derive(Debug, Args)]
+pub(crate) struct ExportArgs {
+    /// The loop.
+    #[command(flatten)]
+    pub(crate) of: LoopArgs,
+    /// The language: rust, c, st (Structured Text) or plcopen (the same as PLCopen XML)
+    #[arg(short, long, value_name = "LANGUAGE")]
+    pub(crate) language: String,
+    /// Nominal sample period, at most the dead time; the law runs on the time that is measured
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    pub(crate) sample_period: String,
+    /// What the controller is called in the source
+    #[arg(long, value_name = "NAME", default_value = "controller")]
+    pub(crate) name: String,
+    /// The precision of the target: f64 or f32
+    #[arg(long, value_name = "FLOAT", default_value = "f64")]
+    pub(crate) float: String,
+    /// Limits of the output, low:high; either may be left out
+    #[arg(long, value_name = "0:100", allow_hyphen_values = true)]
+    pub(crate) limits: Option<String>,
+    /// Rate limit of the output, per second, up and down
+    #[arg(long, value_name = "RATE", allow_hyphen_values = true)]
+    pub(crate) rate_limit: Option<String>,
+    /// Tracking time of the anti-windup; when absent, the integral time
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    pub(crate) tracking_time: Option<String>,
+    /// Bias of the output; when absent, 0
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    pub(crate) bias: Option<String>,
+    /// Time in which a bias that a transfer moved returns to its set value; when absent, it stays
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    pub(crate) bleed_time: Option<String>,
+    /// Range of the measurement, low:high: one outside it holds the output
+    #[arg(long, value_name = "0:100", allow_hyphen_values = true)]
+    pub(crate) measurement_range: Option<String>,
+    /// Age at which a measurement is stale, and holds the output
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    pub(crate) stale_time: Option<String>,
+    /// Time without a good measurement after which the safe output is taken
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    pub(crate) failure_time: Option<String>,
+    /// The output that is then taken
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    pub(crate) safe_output: Option<String>,
+    /// Segments of the observer's delay line; when absent, those that are needed and a quarter more
+    #[arg(long, value_name = "COUNT", allow_hyphen_values = true)]
+    pub(crate) segments: Option<String>,
+    /// Write the source to this file instead of standard output
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
 }
 
 /// `holdup completions`.

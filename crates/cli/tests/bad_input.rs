@@ -79,6 +79,94 @@ fn each_fault_of_the_filters_names_what_is_allowed() {
 }
 
 #[test]
+fn each_fault_of_an_export_names_its_option_and_what_is_allowed() {
+    let folder = folder("export");
+    let absent = folder.join("absent/level.c");
+    let absent = absent.to_str().unwrap();
+    let observed = "Kc=1.5321,Td=1.0343,Ko=1.5321";
+    for (controller, words, parts) in [
+        (
+            "Kc=1",
+            &["--sample-period", "0"][..],
+            "--sample-period is 0: must be above 0 and at most the dead time of 6 s",
+        ),
+        ("Kc=1", &["--sample-period", "-1"], "--sample-period is -1"),
+        ("Kc=1", &["--sample-period", "nan"], "--sample-period is nan"),
+        (
+            "Kc=1",
+            &["--sample-period", "6.1"],
+            "--sample-period is 6.1: must be above 0 and at most the dead time",
+        ),
+        ("Kc=1,Ko=1,dm=0.2", &[], "--sample-period is 0.5: must be at most the model's dead time of 0.2 s"),
+        (observed, &["--sample-period", "1us"], "--sample-period is 1us"),
+        (observed, &["--sample-period", "0.00001"], "the delay line would need 600003 segments"),
+        (
+            observed,
+            &["--segments", "14"],
+            "--segments is 14: must be 15 to 131072: a dead time of 6 s at 0.5 s needs 15",
+        ),
+        (observed, &["--segments", "1e9"], "--segments: '1e9'"),
+        (
+            "Kc=1",
+            &["--segments", "20"],
+            "--segments is 20: must be absent: only an observer has a delay line",
+        ),
+        ("Kc=1", &["--limits", "100:0"], "--limits: output_low is 100: must be below output_high"),
+        ("Kc=1", &["--limits", "0"], "--limits: '0': must be low:high"),
+        ("Kc=1", &["--limits", ":"], "--limits: ':'"),
+        ("Kc=1", &["--rate-limit", "0"], "--rate-limit: rate_limit is 0: must be finite and above 0"),
+        ("Kc=1,Ti=3", &["--tracking-time", "-1"], "--tracking-time: tracking_time is -1"),
+        ("Kc=1", &["--bleed-time", "0"], "--bleed-time: bleed_time is 0"),
+        ("Kc=1", &["--measurement-range", "3:"], "--measurement-range: '3:'"),
+        ("Kc=1", &["--measurement-range", "3:2"], "--measurement-range: measurement_low is 3"),
+        ("Kc=1", &["--stale-time", "0"], "--stale-time: stale_time is 0"),
+        ("Kc=1", &["--safe-output", "3"], "--safe-output: needs --failure-time"),
+        ("Kc=1", &["--failure-time", "3"], "--failure-time: needs --safe-output"),
+        (
+            "Kc=1",
+            &["--limits", "0:1", "--failure-time", "3", "--safe-output", "3"],
+            "--safe-output: safe_output is 3: must be within the output limits",
+        ),
+        ("Kc=1,a1=3", &[], "output_filter: has no sampled law"),
+        ("Kc=1,Ko=-1", &[], "observer_gain is -1: must have the sign of model_gain"),
+        ("Kc=1e-60", &["--float", "f32"], "proportional_gain is 0: must be finite and not 0"),
+        ("Kc=1", &["--float", "f16"], "--float: 'f16': must be f32 or f64"),
+        ("Kc=1", &["--language", "cpp"], "--language: 'cpp'"),
+        ("Kc=1", &["--name", "program"], "--name is 'program'"),
+        ("Kc=1", &["--name", "a*/b"], "--name is 'a*/b'"),
+        ("Kc=1", &["--output", absent], absent),
+    ] {
+        let mut all = vec!["export", "-p", PROCESS, "-c", controller];
+        for (option, value) in [("--language", "c"), ("--sample-period", "0.5")] {
+            if !words.contains(&option) {
+                all.extend([option, value]);
+            }
+        }
+        all.extend(words);
+        let error = refused(&all);
+        assert!(error.contains(parts), "{all:?}: {error}");
+    }
+    assert_eq!(std::fs::read_dir(&folder).unwrap().count(), 0);
+    assert!(refused(&["export", "-p", PROCESS, "-c", "Kc=1", "--language", "c"]).contains("--sample-period"));
+    let lagging =
+        ["export", "-p", "K=1,d=6,T=1", "-c", "Kc=1,Ko=1", "--language", "st", "--sample-period", "1"];
+    assert!(refused(&lagging).contains("observer_gain: has no sampled law on this process"));
+}
+
+#[test]
+fn a_compensator_without_a_sampled_law_is_named() {
+    let file = folder("export-compensator").join("loop.toml");
+    let huba = "[process]\nprocess_gain = 1.0\ndead_time_s = 2.0\n[controller]\nstructure = \"P+inverse-DOB\"\n\
+                parameters = { main_gain = 0.2, filter_time_s = 2.0, model_gain = 1.0, model_dead_time_s = 2.0 }\n";
+    std::fs::write(&file, huba).unwrap();
+    let words = ["export", file.to_str().unwrap(), "--language", "rust", "--sample-period", "0.1"];
+    assert!(
+        refused(&words)
+            .contains("P+inverse-DOB: has no sampled law: of the compensators only SP+DOB has one")
+    );
+}
+
+#[test]
 fn each_fault_of_tune_names_rule_or_parameter() {
     for (words, parts) in [
         (&["--rule", "pd-kadm"][..], "pd-kadam"),

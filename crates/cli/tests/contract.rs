@@ -495,3 +495,42 @@ fn optimise_answers_as_tune_does() {
     let peak = value["achieved"]["sensitivity_peak"].as_f64().unwrap();
     assert!(peak <= 1.6 && peak > 1.6 * (1.0 - 1e-9));
 }
+
+#[test]
+fn export_writes_one_source_to_standard_output_or_to_a_file() {
+    let file = folder("export").join("level.st");
+    let words =
+        ["export", "-p", PROCESS, "-c", "Kc=1.5321,Td=1.0343,N=10,Ko=1.5321", "--sample-period", "500ms"];
+    let more = ["--language", "st", "--limits", "0:", "--name", "level"];
+    let all = [&words[..], &more].concat();
+    let result = json(&all);
+    has(
+        &result,
+        &[
+            "language",
+            "name",
+            "float",
+            "sample_period_s",
+            "segments",
+            "segments_needed",
+            "source",
+            "warnings",
+        ],
+    );
+    has(&result["margins"], &MARGINS);
+    assert_eq!((result["segments_needed"].as_u64(), result["segments"].as_u64()), (Some(15), Some(19)));
+    let source = result["source"].as_str().unwrap();
+    let output = run(&all);
+    assert_eq!(String::from_utf8(output.stdout).unwrap(), source);
+    let output = run(&[&all[..], &["--output", file.to_str().unwrap()]].concat());
+    assert_eq!(output.status.code(), Some(0));
+    assert!(!String::from_utf8(output.stdout).unwrap().contains("FUNCTION"));
+    assert_eq!(std::fs::read_to_string(file).unwrap(), source);
+}
+
+#[test]
+fn the_export_of_an_unstable_loop_says_so() {
+    let result = json(&["export", "-p", PROCESS, "-c", "Kc=9", "--sample-period", "1", "--language", "c"]);
+    assert!(result["warnings"].to_string().contains("must not be run"), "{}", result["warnings"]);
+    assert!(result["source"].as_str().unwrap().contains("WARNING: the loop is not stable"));
+}

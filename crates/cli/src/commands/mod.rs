@@ -5,6 +5,7 @@ mod analyse_actuator;
 mod compare;
 mod completions;
 mod convert;
+mod export;
 mod man;
 pub(crate) mod optimise;
 mod ranking;
@@ -37,6 +38,7 @@ pub(crate) fn run(command: &Command, console: Console) -> Result<Answer, Fault> 
         Command::Robust(args) => robust::run(args, console),
         Command::Reproduce(args) => reproduce::run(args, console),
         Command::Convert(args) => convert::run(args, console),
+        Command::Export(args) => export::run(args, console),
         Command::Completions(args) => completions::run(args),
         Command::Man => man::run(),
     }

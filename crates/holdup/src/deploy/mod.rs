@@ -1,4 +1,5 @@
-//! What to run or to type: the numbers for a vendor's controller block.
+//! What to run in the plant, or to type there: the controller as source code, the numbers for a vendor's block.
 
 pub mod conversion;
+pub mod export;
 mod vendors;
