@@ -97,7 +97,7 @@ fn several(values: &[f64]) -> String {
 type Shown = fn(&Metrics) -> String;
 
 /// Headings and cells of the time-domain metrics.
-pub(crate) const METRICS: [(&str, Shown); 10] = [
+pub(crate) const METRICS: [(&str, Shown); 11] = [
     ("IAE", |m| number(m.iae)),
     ("ISE", |m| number(m.ise)),
     ("ITAE", |m| number(m.itae)),
@@ -108,6 +108,7 @@ pub(crate) const METRICS: [(&str, Shown); 10] = [
     ("2 % [s]", |m| number(m.settling_time.map(|t| t.0))),
     ("5 % [s]", |m| number(m.settling_time_5.map(|t| t.0))),
     ("peak", |m| number(m.peak)),
+    ("travel", |m| number(m.valve_travel)),
 ];
 
 /// The controlled and the manipulated variable of several runs of one scenario over time.
