@@ -5,6 +5,8 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
 
+use crate::sampled::SampledArgs;
+
 /// Design, prove and simulate control loops of integrating processes with dead time, exactly.
 #[derive(Debug, Parser)]
 #[command(
@@ -73,7 +75,11 @@ Examples:
     #[command(after_help = "\
 Examples:
   holdup simulate -p K=0.0506,d=6 -c Kc=2.95,Ti=15,Td=3,N=100 --load 100:1
-  holdup simulate -p K=0.0506,d=6 -c Kc=1.5321,Td=1.0343,N=100 --csv step.csv --plot step.svg")]
+  holdup simulate -p K=0.0506,d=6 -c Kc=1.5321,Td=1.0343,N=100 --csv step.csv --plot step.svg
+  holdup simulate -p K=0.0506,d=6 -c Kc=1.5321,Td=1.0343,N=2,Ko=0.7 --load 100:1 --sample-period 0.5 \
+      --limits 0:100 --initial-manipulated 40 --rate-limit 5 --deadband 0.3 --noise 0.01 --seed 1 --plot real.png
+  holdup simulate -p K=0.0506,d=6 -c Kc=1.647,Ti=48 --load-ramp 50:150:2 --sample-period 1 \
+      --actual-process K=0.07,d=7 --stiction 1:0.5 --jitter 0.1 --drop 0.02 --computation-delay 0.1")]
     Simulate(SimulateArgs),
     /// Compare several controllers on several scenarios, from a study file
     #[command(after_help = "\
@@ -228,6 +234,9 @@ pub(crate) struct SimulateArgs {
     /// Distance of the times in --csv and --plot, instead of their number
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     pub(crate) step: Option<String>,
+    /// Sampling and equipment.
+    #[command(flatten)]
+    pub(crate) sampled: SampledArgs,
 }
 
 /// `holdup compare`.

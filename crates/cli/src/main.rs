@@ -6,6 +6,7 @@ mod console;
 mod fault;
 mod input;
 mod require;
+mod sampled;
 mod table;
 
 use std::process::ExitCode;

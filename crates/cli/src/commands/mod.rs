@@ -10,6 +10,7 @@ mod reproduce;
 mod rule_page;
 mod rules;
 mod simulate;
+mod simulate_sampled;
 mod tune;
 mod view;
 

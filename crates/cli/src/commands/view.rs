@@ -136,7 +136,7 @@ pub(crate) fn response_figure(
 }
 
 /// The corners of a signal that is constant between its events.
-fn staircase(events: &[(f64, f64)], before: f64, horizon: f64) -> (Vec<f64>, Vec<f64>) {
+pub(crate) fn staircase(events: &[(f64, f64)], before: f64, horizon: f64) -> (Vec<f64>, Vec<f64>) {
     let (mut times, mut values, mut value) = (vec![0.0], vec![before], before);
     for &(time, next) in events {
         times.extend([time, time]);

@@ -62,3 +62,27 @@ pub enum SampledError {
         horizon: f64,
     },
 }
+
+impl SampledError {
+    /// The setting that the line begins with, where it is one of the equipment's or the scenario's.
+    #[must_use]
+    pub fn setting(&self) -> Option<&'static str> {
+        match self {
+            Self::SlowerThanDeadTime { .. }
+            | Self::SlowerThanStable { .. }
+            | Self::TooManySamples { .. } => Some("sample_period"),
+            Self::RampBeyondHorizon { .. } => Some("load_ramp"),
+            Self::Law(_) | Self::Setting(_) | Self::TimeOutside { .. } => None,
+        }
+    }
+
+    /// The line with that setting called `name`.
+    #[must_use]
+    pub fn called(&self, name: &str) -> String {
+        let line = self.to_string();
+        match self.setting() {
+            Some(setting) => format!("{name}{}", line.strip_prefix(setting).unwrap_or(&line)),
+            None => line,
+        }
+    }
+}

@@ -23,9 +23,10 @@ use holdup_control::Settings;
 
 use super::cell::{Cell, Outcome, Watch};
 use super::legendre::TERMS;
+use super::measure::Measure;
 use super::{Response, Scenario, measure_of, response};
 use crate::model::sampled_law::sampled_law;
-use crate::model::{Controller, Process, Seconds};
+use crate::model::{ClosedLoop, Controller, Process, Seconds};
 use run::{Count, Moment, Run};
 use trajectory::Sampler;
 
@@ -54,6 +55,8 @@ const MOST_IN_DEAD_TIME: u32 = 1_000_000;
 #[derive(Debug, Clone)]
 pub struct SampledLoop {
     settings: Settings<f64>,
+    controller: Controller,
+    designed_on: Process,
     process: Process,
     equipment: Equipment,
 }
@@ -99,13 +102,32 @@ impl SampledLoop {
             }
             check_count(h, dead_time, "dead time of the model", MOST_IN_DEAD_TIME)?;
         }
-        Ok(Self { settings, process: *process, equipment: equipment.clone() })
+        let equipment = equipment.clone();
+        Ok(Self { settings, controller: *controller, designed_on: *process, process: *process, equipment })
     }
 
     /// The same controller acting on another process than the one it was designed on: its model does not follow.
     #[must_use]
     pub fn on(self, actual: &Process) -> Self {
         Self { process: *actual, ..self }
+    }
+
+    /// The same loop without sampling and with ideal equipment. None where there is no such loop: an observer's
+    /// model is that of the process it was designed on, and the continuous one has always the structure of the
+    /// process that it acts on.
+    #[must_use]
+    pub fn continuous(&self) -> Option<ClosedLoop> {
+        let mut controller = self.controller;
+        if let Some(observer) = controller.observer().filter(|_| self.process != self.designed_on) {
+            if !self.process.is_plain() {
+                return None;
+            }
+            let gain = observer.model_gain().unwrap_or(self.designed_on.process_gain());
+            let dead_time = observer.model_dead_time().unwrap_or(self.designed_on.dead_time());
+            let observer = observer.with_model_gain(gain).ok()?.with_model_dead_time(Seconds(dead_time)).ok()?;
+            controller = controller.with_observer(observer);
+        }
+        Some(ClosedLoop::new(&self.process, &controller))
     }
 
     /// The settings with which `holdup-control` runs, without limits.
@@ -146,7 +168,8 @@ impl SampledLoop {
         }
         let rest = self.equipment.settings().initial_manipulated;
         let run = Run::new(self.settings, &self.process, &self.equipment, scenario, ramps)?;
-        let mut measure = measure_of(scenario);
+        // Overshoot and settling are about one setpoint move and nothing else.
+        let mut measure = if ramps.is_empty() { measure_of(scenario) } else { Measure::new(None) };
         let mut sampler = Sampler::new(scenario, rest, self.settings.law().observer.is_some(), times);
         let mut position = 0.0;
         let delay = Seconds(self.equipment.settings().computation_delay);
