@@ -1,6 +1,7 @@
 //! What the loop does, exactly.
 
 pub mod bounds;
+mod exponential;
 pub mod frequency;
 pub mod infinite_horizon;
 pub mod metrics;

@@ -1,121 +1,143 @@
-//! The controller as it runs in the plant: from the settings of a design to those of `holdup-control`.
+//! The law that runs in the plant, of a controller: the settings of `holdup_control`.
 
-use holdup_control::{Observer, Pid, Settings};
+use holdup_control::{Law, Observer, Pid, Scalar, SettingError};
+use thiserror::Error;
 
 use super::compensator::CompensatorLaw;
 use super::controller::Controller;
-use super::error::{ModelError, positive};
 use super::process::Process;
 use super::quantity::Seconds;
 
-/// The settings with which `holdup-control` runs this controller, one sample every `sample_period` [s]; without
-/// limits and watch, which are the equipment's.
+/// Why a controller has no sampled law.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum NoSampledLaw {
+    /// A term that `holdup_control` does not have.
+    #[error("{name}: {reason}")]
+    Term {
+        /// Name of the term or of the structure.
+        name: &'static str,
+        /// Why it cannot stand, and what can.
+        reason: &'static str,
+    },
+    /// A number that is none for the law, or no longer one in its precision.
+    #[error("{0}")]
+    Setting(#[from] SettingError),
+}
+
+/// The law of a controller on a process, sampled about every `sample_period` [s]; in the precision `T`.
 ///
-/// The gains keep their signs, so the action is always the reverse one. The observer's model is the one given with the controller, else
-/// that of `process`.
+/// The gain keeps its sign, so the action is always reverse. An observer without a model of its own takes that of the
+/// process. The modified Smith predictor becomes P action on the predicted output with an observer: the same law.
 ///
 /// ```
-/// use holdup::model::{Process, Seconds, notation::read_controller, sampled_law::sampled_law};
+/// use holdup::model::{Controller, Observer, Process, Seconds, sampled_law};
 /// let level = Process::integrating(0.0506, Seconds(6.0))?;
-/// let settings = sampled_law(&level, &read_controller("Kc=1.5321,Td=1.0343,N=100,Ko=1.5321")?, Seconds(0.5))?;
-/// assert_eq!(settings.law().pid.filter_time(), Some(0.01));
-/// assert_eq!(settings.segments_needed(), 15); // of the delay line
+/// let p = Controller::proportional(1.5)?.with_observer(Observer::new(0.7)?);
+/// let law = sampled_law::<f32>(&level, &p, Seconds(0.5))?;
+/// assert_eq!(law.observer.map(|observer| observer.segments_needed()), Some(15));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
 /// # Errors
-/// [`ModelError`] if the sample period is not positive and finite, or if there is no sampled law for this: an
-/// output filter, an observer whose model has a lag or two integrators, a compensator other than the modified Smith
-/// predictor, an observer whose gain and model differ in sign.
-pub fn sampled_law(
+/// [`NoSampledLaw`] for an output filter, for a compensator other than the modified Smith predictor, for an observer
+/// whose model would have a lag or two integrators, and for settings that are out of range in `T`.
+pub fn sampled_law<T: Scalar>(
     process: &Process,
     controller: &Controller,
     sample_period: Seconds,
-) -> Result<Settings<f64>, ModelError> {
-    let h = positive("sample_period", sample_period.0)?;
-    let conflict = |name, reason| Err(ModelError::Conflict { name, reason });
-    let refused = |name, reason| move |_| ModelError::Conflict { name, reason };
-    let out_of_range = refused("controller", "a setting is out of the range of the sampled law");
-    let settled = |gain: f64| Pid::proportional(gain).map_err(out_of_range);
+) -> Result<Law<T>, NoSampledLaw> {
+    let t = T::from_f64;
+    let h = t(sample_period.0);
+    let refused = |name, reason| Err(NoSampledLaw::Term { name, reason });
     if let Some(compensator) = controller.compensator() {
         let CompensatorLaw::ModifiedSmith { main_gain, disturbance_gain, lead } = compensator.law() else {
-            return conflict(
-                "controller",
-                "has no sampled law: of the dead-time compensators only the modified Smith predictor has one",
-            );
+            let reason = "has no sampled law: of the compensators only SP+DOB has one";
+            return refused(compensator.structure(), reason);
         };
         let (gain, dead_time) = (compensator.model_gain(), compensator.model_dead_time());
-        let signs = refused("disturbance_gain", "must have the sign of model_gain");
-        let mut observer = Observer::new(disturbance_gain, gain, dead_time, h).map_err(signs)?;
+        let mut observer = Observer::new(t(disturbance_gain), t(gain), t(dead_time), h)?.predicting();
         if let Some(lead) = lead {
-            observer = observer.with_lead(lead.derivative_time, lead.filter_time).map_err(out_of_range)?;
+            observer = observer.with_lead(t(lead.derivative_time), t(lead.filter_time))?;
         }
-        let signs = refused("main_gain", "must have the sign of model_gain");
-        return Settings::new(settled(main_gain)?).with_observer(observer.predicting()).map_err(signs);
+        return Ok(Law { pid: Pid::proportional(t(main_gain))?, observer: Some(observer) });
     }
     if controller.output_filter().is_some() {
-        return conflict(
-            "output_filter",
-            "has no sampled law: filter the derivative instead, or simulate without a sample period",
-        );
+        return refused("output_filter", "has no sampled law: a filter of the derivative has one");
     }
-    let mut pid = settled(controller.proportional_gain())?
-        .with_setpoint_weights(controller.setpoint_weight(), controller.derivative_setpoint_weight())
-        .map_err(out_of_range)?;
-    if let Some(ti) = controller.integral_time() {
-        pid = pid.with_integral(ti).map_err(out_of_range)?;
+    let mut pid = Pid::proportional(t(controller.proportional_gain()))?
+        .with_setpoint_weights(t(controller.setpoint_weight()), t(controller.derivative_setpoint_weight()))?;
+    if let Some(integral_time) = controller.integral_time() {
+        pid = pid.with_integral(t(integral_time))?;
     }
-    if let Some(td) = controller.derivative_time() {
-        let tf = controller.derivative_filter().map(super::controller::DerivativeFilter::time);
-        pid = pid.with_derivative(td, tf).map_err(out_of_range)?;
+    if let Some(derivative_time) = controller.derivative_time() {
+        let filter_time = controller.derivative_filter().map(|filter| t(filter.time()));
+        pid = pid.with_derivative(t(derivative_time), filter_time)?;
     }
-    let settings = Settings::new(pid);
-    let Some(observer) = controller.observer() else { return Ok(settings) };
+    let Some(observer) = controller.observer() else { return Ok(Law { pid, observer: None }) };
     if !process.is_plain() {
-        return conflict(
-            "observer_gain",
-            "has no sampled law on this process: the sampled observer's model is one integrator without lag",
-        );
+        let reason = "has no sampled law on this process: the observer's model is one integrator with dead time";
+        return refused("observer_gain", reason);
     }
-    let gain = observer.model_gain().unwrap_or(process.process_gain());
-    let dead_time = observer.model_dead_time().unwrap_or(process.dead_time());
-    let signs = refused("observer_gain", "must have the sign of the gain of its model");
-    let observer = Observer::new(observer.gain(), gain, dead_time, h).map_err(signs)?;
-    let signs = refused("proportional_gain", "must have the sign of the gain of the observer's model");
-    settings.with_observer(observer).map_err(signs)
+    let model_gain = t(observer.model_gain().unwrap_or(process.process_gain()));
+    let dead_time = t(observer.model_dead_time().unwrap_or(process.dead_time()));
+    Ok(Law { pid, observer: Some(Observer::new(t(observer.gain()), model_gain, dead_time, h)?) })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::notation::read_controller;
+    use crate::model::notation::{read_controller, read_process};
     use crate::model::{Compensator, Lead};
 
-    fn refusal(process: &Process, controller: &Controller) -> String {
-        sampled_law(process, controller, Seconds(0.5)).unwrap_err().to_string()
+    fn law(process: &str, controller: &str) -> Result<Law<f64>, NoSampledLaw> {
+        let process = read_process(process).unwrap();
+        sampled_law(&process, &read_controller(controller).unwrap(), Seconds(0.5))
     }
 
     #[test]
-    fn what_has_no_sampled_law_is_refused_by_name() {
-        let level = Process::integrating(1.0, Seconds(1.0)).unwrap();
-        let lagging = level.with_lag(Seconds(2.0)).unwrap();
-        let observer = read_controller("Kc=0.4,Ko=0.3").unwrap();
-        assert!(refusal(&level, &read_controller("Kc=0.4,a1=1").unwrap()).starts_with("output_filter: "));
-        assert!(refusal(&lagging, &observer).contains("one integrator without lag"));
-        assert!(refusal(&level, &read_controller("Kc=0.4,Ko=-0.3").unwrap()).starts_with("observer_gain: "));
-        assert!(sampled_law(&level, &observer, Seconds(0.0)).unwrap_err().to_string().contains("sample_period"));
+    fn every_setting_reaches_the_law() {
+        let law = law("K=-0.05,d=6", "Kc=-2,Ti=15,Td=3,N=4,Ko=-1,Km=-0.04,dm=7,b=0.5,c=0").unwrap();
+        let (pid, observer) = (law.pid, law.observer.unwrap());
+        assert_eq!((pid.proportional_gain(), pid.integral_time()), (-2.0, Some(15.0)));
+        assert_eq!((pid.derivative_time(), pid.filter_time()), (Some(3.0), Some(0.25)));
+        assert_eq!((pid.setpoint_weight(), pid.derivative_setpoint_weight()), (0.5, 0.0));
+        assert_eq!((observer.observer_gain(), observer.model_gain()), (-1.0, -0.04));
+        assert_eq!((observer.dead_time(), observer.sample_period()), (7.0, 0.5));
     }
 
     #[test]
-    fn the_modified_smith_predictor_keeps_its_lead_and_its_model() {
-        let lead = Some(Lead { derivative_time: 0.4, filter_time: 0.2 });
-        let law = CompensatorLaw::ModifiedSmith { main_gain: 1.0, disturbance_gain: 0.7, lead };
-        let controller = Controller::from(Compensator::new(law, 1.5, Seconds(2.0)).unwrap());
-        let level = Process::integrating(1.0, Seconds(1.0)).unwrap();
-        let settings = sampled_law(&level, &controller, Seconds(0.5)).unwrap();
-        let observer = settings.law().observer.unwrap();
+    fn a_modified_smith_predictor_is_p_action_on_the_prediction() {
+        let lead = Some(Lead { derivative_time: 2.0, filter_time: 0.2 });
+        let smith = CompensatorLaw::ModifiedSmith { main_gain: 0.2, disturbance_gain: 0.1, lead };
+        let controller = Controller::from(Compensator::new(smith, 1.0, Seconds(5.0)).unwrap());
+        let process = read_process("K=1.1,d=5,T=1").unwrap();
+        let law = sampled_law::<f64>(&process, &controller, Seconds(0.5)).unwrap();
+        let observer = law.observer.unwrap();
+        assert_eq!(law.pid.proportional_gain(), 0.2);
         assert!(observer.predicts());
-        assert_eq!((observer.model_gain(), observer.dead_time()), (1.5, 2.0));
-        assert_eq!(observer.lead(), Some((0.4, 0.2)));
+        assert_eq!((observer.observer_gain(), observer.lead()), (0.1, Some((2.0, 0.2))));
+        assert_eq!((observer.model_gain(), observer.dead_time()), (1.0, 5.0));
+    }
+
+    #[test]
+    fn what_has_no_sampled_law_is_named() {
+        for (process, controller, named) in [
+            ("K=1,d=6", "Kc=1,a1=1", "output_filter"),
+            ("K=1,d=6,T=1", "Kc=1,Ko=1", "observer_gain"),
+            ("K=1,d=6,integrators=2", "Kc=1,Td=1,Ko=1", "observer_gain"),
+            ("K=1,d=6", "Kc=1,Ko=-1", "observer_gain = -1"),
+        ] {
+            let error = law(process, controller).unwrap_err().to_string();
+            assert!(error.starts_with(named), "{error}");
+        }
+        let huba = CompensatorLaw::InverseModel { main_gain: 0.4, filter_time: 2.0 };
+        let controller = Controller::from(Compensator::new(huba, 1.0, Seconds(2.0)).unwrap());
+        let process = read_process("K=1,d=2").unwrap();
+        let error = sampled_law::<f32>(&process, &controller, Seconds(0.5)).unwrap_err().to_string();
+        assert!(error.starts_with("P+inverse-DOB: has no sampled law"), "{error}");
+        // Below the smallest f32.
+        let small = read_controller("Kc=1e-60").unwrap();
+        let error = sampled_law::<f32>(&process, &small, Seconds(0.5)).unwrap_err().to_string();
+        assert!(error.starts_with("proportional_gain = 0: must be finite and not 0"), "{error}");
     }
 }

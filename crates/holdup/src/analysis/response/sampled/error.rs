@@ -3,14 +3,14 @@
 use holdup_control::SettingError;
 use thiserror::Error;
 
-use crate::model::ModelError;
+use crate::model::NoSampledLaw;
 
 /// Why a sampled loop cannot be simulated. `sample_period` and `horizon` are called as in the files.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum SampledError {
     /// There is no sampled law for this controller on this process.
     #[error(transparent)]
-    Law(#[from] ModelError),
+    Law(#[from] NoSampledLaw),
     /// The law refuses its settings.
     #[error("the sampled law: {0}")]
     Setting(#[from] SettingError),

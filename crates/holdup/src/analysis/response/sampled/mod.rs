@@ -25,8 +25,9 @@ use super::cell::{Cell, Outcome, Watch};
 use super::legendre::TERMS;
 use super::measure::Measure;
 use super::{Response, Scenario, measure_of, response};
-use crate::model::sampled_law::sampled_law;
-use crate::model::{ClosedLoop, Controller, Process, Seconds};
+use crate::analysis::frequency::margins;
+use crate::analysis::frequency::sampled::{is_stable, largest_stable_period};
+use crate::model::{ClosedLoop, Controller, Process, Seconds, sampled_law};
 use run::{Count, Moment, Run};
 use trajectory::Sampler;
 
@@ -94,8 +95,10 @@ impl SampledLoop {
             return Err(SampledError::SlowerThanDeadTime { value: h, dead_time });
         }
         check_count(h, dead_time, "dead time", MOST_IN_DEAD_TIME)?;
-        let settings = sampled_law(process, controller, Seconds(h))?;
-        if let Some(observer) = settings.law().observer {
+        let law = sampled_law(process, controller, Seconds(h))?;
+        let mut settings = Settings::new(law.pid);
+        if let Some(observer) = law.observer {
+            settings = settings.with_observer(observer)?;
             let dead_time = observer.dead_time();
             if h > dead_time {
                 return Err(SampledError::SlowerThanDeadTime { value: h, dead_time });
@@ -128,6 +131,25 @@ impl SampledLoop {
             controller = controller.with_observer(observer);
         }
         Some(ClosedLoop::new(&self.process, &controller))
+    }
+
+    /// Refuses sampling that is too slow for the loop: where the loop is stable without sampling, and with it is not.
+    ///
+    /// # Errors
+    /// [`SampledError::SlowerThanStable`] with the largest sample period up to which it is stable.
+    pub fn require_stable(&self) -> Result<(), SampledError> {
+        let settings = self.equipment.settings();
+        let (value, delay) = (settings.sample_period, Seconds(settings.computation_delay));
+        let law = *self.settings.law();
+        if is_stable(&law, &self.process, value, delay) {
+            return Ok(());
+        }
+        let stable_without = self.continuous().is_none_or(|closed| margins(&closed).is_ok_and(|m| m.stable));
+        let at = |h| sampled_law(&self.designed_on, &self.controller, Seconds(h)).ok();
+        match largest_stable_period(&self.process, at, delay).filter(|_| stable_without) {
+            Some(largest) if largest < value => Err(SampledError::SlowerThanStable { value, largest }),
+            _ => Ok(()),
+        }
     }
 
     /// The settings with which `holdup-control` runs, without limits.
