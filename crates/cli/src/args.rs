@@ -63,8 +63,10 @@ Examples:
 Examples:
   holdup analyse -p K=0.0506,d=6 -c Kc=2.95,Ti=15,Td=3,N=100
   holdup analyse -p K=0.0506,d=6 -c Kc=1.5321,Td=1.0343,Ko=1.5321 --require 'gain_margin>=2'
-  holdup analyse loop.toml --json")]
-    Analyse(LoopArgs),
+  holdup analyse loop.toml --json
+  holdup analyse -p K=0.0506,d=6 -c Kc=1.647,Ti=48 --sample-period 2 --require 'sampled.gain_margin>=2'
+  holdup analyse -p K=0.0506,d=6 -c Kc=1.647,Ti=48 --largest-sample-period 'gain_margin>=2.5'")]
+    Analyse(AnalyseArgs),
     /// Draw where a loop is stable in a plane of two settings, and where its robustness is constant
     #[command(after_help = "\
 Examples:
@@ -114,6 +116,23 @@ pub(crate) struct LoopArgs {
     /// The loop as a file, instead of -p and -c
     #[arg(long = "loop", value_name = "LOOP.toml")]
     pub(crate) loop_file: Option<PathBuf>,
+}
+
+/// `holdup analyse`.
+#[derive(Debug, Args)]
+pub(crate) struct AnalyseArgs {
+    /// The loop.
+    #[command(flatten)]
+    pub(crate) of: LoopArgs,
+    /// Also the exact margins of the loop sampled in this time, with hold and fractional dead time
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    pub(crate) sample_period: Option<String>,
+    /// Time from a sample to the output that follows from it
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    pub(crate) computation_delay: Option<String>,
+    /// Also the largest sample period up to which this holds for every smaller one: 'stable', or a margin with >= or <=
+    #[arg(long, value_name = "CONDITION")]
+    pub(crate) largest_sample_period: Option<String>,
 }
 
 /// `holdup region`.

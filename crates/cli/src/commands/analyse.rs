@@ -6,16 +6,18 @@ use holdup::analysis::frequency::{Margins, dominant_poles, loop_without_observer
 use holdup::model::{ClosedLoop, Controller, Process};
 use serde_json::{Value, json};
 
+use super::analyse_sampled::Sampled;
 use super::view::{controller_line, margins_table, process_line};
-use crate::args::LoopArgs;
+use crate::args::AnalyseArgs;
 use crate::console::{Answer, Console};
 use crate::fault::Fault;
 use crate::input::closed_loop;
 use crate::table::number;
 
 /// Analyses the loop; one with an observer also in its parts.
-pub(crate) fn run(args: &LoopArgs, console: Console) -> Result<Answer, Fault> {
-    let (process, controller) = closed_loop(args)?;
+pub(crate) fn run(args: &AnalyseArgs, console: Console) -> Result<Answer, Fault> {
+    let (process, controller) = closed_loop(&args.of)?;
+    let sampled = Sampled::of(args, &process, &controller)?;
     let closed = ClosedLoop::new(&process, &controller);
     let whole = margins(&closed).map_err(Fault::input)?;
     let parts = Parts::of(&process, &controller)?;
@@ -25,7 +27,8 @@ pub(crate) fn run(args: &LoopArgs, console: Console) -> Result<Answer, Fault> {
     if noise_gain.is_none() {
         warnings.push("The noise gain is infinite: the derivative action is not filtered.".to_owned());
     }
-    let json = json!({
+    warnings.extend(sampled.warnings());
+    let mut json = json!({
         "stable": whole.stable,
         "margins": &whole,
         "dominant_poles": poles.iter().map(|pole| pole_json(pole.re, pole.im)).collect::<Vec<_>>(),
@@ -33,6 +36,7 @@ pub(crate) fn run(args: &LoopArgs, console: Console) -> Result<Answer, Fault> {
         "loops": parts.as_ref().map_or(Value::Null, Parts::json),
         "warnings": warnings,
     });
+    sampled.add_to(&mut json);
     let mut text = String::new();
     if !console.json {
         let verdict = if whole.stable { "Stable" } else { "Unstable" };
@@ -40,6 +44,7 @@ pub(crate) fn run(args: &LoopArgs, console: Console) -> Result<Answer, Fault> {
             format!("{verdict}: {}\n        on {}\n\n", controller_line(&controller), process_line(&process));
         let mut columns: Vec<(&str, &Margins)> = parts.iter().flat_map(Parts::columns).collect();
         columns.push((if columns.is_empty() { "loop" } else { "whole loop" }, &whole));
+        columns.extend(sampled.column());
         text += &margins_table(console, &columns);
         let poles: Vec<String> =
             poles.iter().filter(|pole| pole.im >= 0.0).map(|pole| root(pole.re, pole.im)).collect();
@@ -50,6 +55,7 @@ pub(crate) fn run(args: &LoopArgs, console: Console) -> Result<Answer, Fault> {
         );
         let _ =
             writeln!(text, " noise gain            {}", noise_gain.map_or_else(|| "∞".to_owned(), number));
+        text += &sampled.lines();
     }
     Ok(Answer { json, text, warnings, ..Answer::default() })
 }

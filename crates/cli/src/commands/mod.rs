@@ -1,6 +1,7 @@
 //! What each command does: one file each.
 
 mod analyse;
+mod analyse_sampled;
 mod compare;
 mod completions;
 mod man;

@@ -46,6 +46,7 @@ pub(crate) fn run(
     let actual = args.sampled.actual_process()?.unwrap_or(process);
     let sampled = SampledLoop::new(&process, &controller, equipment).map_err(|error| sampled_fault(&error))?;
     let sampled = sampled.on(&actual);
+    sampled.require_stable().map_err(|error| sampled_fault(&error))?;
     let continuous = sampled.continuous().filter(|_| ramps.is_empty());
     let case = Case { controller, process: actual, scenario, ramps, sampled, continuous };
     let file_times = times(args, case.scenario.horizon())?;

@@ -43,8 +43,8 @@ pub struct SampledMargins {
 /// ```
 ///
 /// # Errors
-/// [`FrequencyError`] if the numbers of the loop are out of the reach of double precision. An unstable loop is
-/// not an error.
+/// [`FrequencyError`] if the numbers of the loop are out of the reach of double precision, or if the dead time has more than
+/// 50 000 samples (2000 of a law that predicts). An unstable loop is not an error.
 pub fn sampled_margins(
     law: &Law<f64>,
     process: &Process,
@@ -52,6 +52,12 @@ pub fn sampled_margins(
     delay: Seconds,
 ) -> Result<SampledMargins, FrequencyError> {
     let h = sample_period.0;
+    let longest = law.observer.map_or(0.0, |observer| observer.dead_time()).max(process.dead_time() + delay.0);
+    // A law that predicts has a term for each of them.
+    let most = if law.observer.is_some_and(|observer| observer.predicts()) { 2_000 } else { 50_000 };
+    if longest / h > f64::from(most) {
+        return Err(FrequencyError::TooManySamples { samples: longest / h, most });
+    }
     let pulse = Pulse::new(law, process, h, delay);
     let circle = checked(&pulse)?;
     let unstable_poles = winding::unstable_poles(&circle);
