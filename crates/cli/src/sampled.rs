@@ -142,7 +142,8 @@ impl SampledArgs {
 
     /// The process that is simulated, where it is another one.
     pub(crate) fn actual_process(&self) -> Result<Option<Process>, Fault> {
-        let read = |text: &String| read_process(text).map_err(|error| Fault::option("--actual-process", error));
+        let read =
+            |text: &String| read_process(text).map_err(|error| Fault::option("--actual-process", error));
         self.actual_process.as_ref().map(read).transpose()
     }
 }
@@ -159,7 +160,11 @@ fn pair(option: &str, given: Option<&String>, allowed: &str) -> Result<Option<(f
 /// A whole number below 2⁶⁴.
 fn seed(text: &str) -> Result<u64, Fault> {
     let refused = || {
-        Fault::input(format!("--seed is {}: must be a whole number from 0 to {}", text.escape_debug(), u64::MAX))
+        Fault::input(format!(
+            "--seed is {}: must be a whole number from 0 to {}",
+            text.escape_debug(),
+            u64::MAX
+        ))
     };
     text.parse().map_err(|_| refused())
 }

@@ -168,7 +168,12 @@ fn metrics_scale_with_time_and_gain_and_do_not_know_the_sign_of_the_process() {
     let reference = run("K=0.5,d=2", "Kc=0.5,Ti=12,Td=1,Tf=0.3,Ko=0.2", &plain(0.3), 60.0).response.metrics;
     let turned = run("K=-0.5,d=2", "Kc=-0.5,Ti=12,Td=1,Tf=0.3,Ko=-0.2", &plain(0.3), 60.0).response.metrics;
     // Time by 10, gain by 1/7: IAE by 10, ITAE by 100, u by 0.7.
-    let slow = run("K=0.35,d=20", "Kc=0.07142857142857142,Ti=120,Td=10,Tf=3,Ko=0.02857142857142857", &plain(3.0), 600.0);
+    let slow = run(
+        "K=0.35,d=20",
+        "Kc=0.07142857142857142,Ti=120,Td=10,Tf=3,Ko=0.02857142857142857",
+        &plain(3.0),
+        600.0,
+    );
     let slow = slow.response.metrics;
     let near = |a: Option<f64>, b: Option<f64>, factor: f64| {
         assert!((a.unwrap() / b.unwrap() / factor - 1.0).abs() < 1e-11, "{a:?} {b:?}"); // 200 samples of rounding
@@ -245,10 +250,8 @@ fn a_rate_limited_valve_moves_no_faster_and_the_law_knows_it() {
 #[test]
 fn a_loop_without_sampling_errors_has_the_same_bounds() {
     let sampled = run("K=0.0506,d=6", "Kc=1.647,Ti=48", &plain(0.05), 300.0).response.metrics;
-    let closed = ClosedLoop::new(
-        &read_process("K=0.0506,d=6").unwrap(),
-        &read_controller("Kc=1.647,Ti=48").unwrap(),
-    );
+    let closed =
+        ClosedLoop::new(&read_process("K=0.0506,d=6").unwrap(), &read_controller("Kc=1.647,Ti=48").unwrap());
     let continuous = simulate(&closed, &step(300.0)).unwrap().metrics;
     // h/2 of dead time more, of 6 s: below 1 %.
     assert!((sampled.iae.unwrap() / continuous.iae.unwrap() - 1.0).abs() < 0.01);

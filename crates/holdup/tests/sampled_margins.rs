@@ -50,7 +50,8 @@ fn of(process: &Process, controller: &Controller, h: f64) -> SampledMargins {
 fn p_control_with_whole_samples_of_dead_time_has_the_margins_of_the_textbook() {
     // L = κ/((z − 1)·z^l): arg L = −π at θ = π/(2l + 1), where |z − 1| = 2·sin(θ/2), so κ_max is that.
     for l in [1u32, 2, 5, 40] {
-        let (process, p) = (Process::integrating(0.5, Seconds(f64::from(l))).unwrap(), read_controller("Kc=0.02").unwrap());
+        let (process, p) =
+            (Process::integrating(0.5, Seconds(f64::from(l))).unwrap(), read_controller("Kc=0.02").unwrap());
         let found = of(&process, &p, 1.0).margins;
         let theta = PI / f64::from(2 * l + 1);
         let expected = 2.0 * (0.5 * theta).sin() / 0.01;
@@ -118,8 +119,10 @@ fn just_below_the_gain_margin_the_simulated_loop_settles_and_just_above_it_does_
     for (index, (process, controller)) in loops().into_iter().enumerate() {
         let h = [0.37, 0.25][index % 2];
         let margin = of(&process, &controller, h).margins.gain_margin.unwrap();
-        let (below, above) =
-            (growth(&process, &controller, h, 0.999 * margin), growth(&process, &controller, h, 1.001 * margin));
+        let (below, above) = (
+            growth(&process, &controller, h, 0.999 * margin),
+            growth(&process, &controller, h, 1.001 * margin),
+        );
         assert!(below < 0.8, "{controller:?} {margin} {below}");
         assert!(above > 1.25, "{controller:?} {margin} {above}");
     }
@@ -179,7 +182,8 @@ fn at_the_gain_margin_a_phase_crossover_is_a_gain_crossover() {
     assert!(with_gain(margin * (1.0 - 1e-9)).stable);
     let edge = with_gain(margin * (1.0 + 1e-9));
     assert!(!edge.stable);
-    let distance = |omega: f64| edge.gain_crossovers.iter().map(|w| (w - omega).abs()).fold(f64::MAX, f64::min);
+    let distance =
+        |omega: f64| edge.gain_crossovers.iter().map(|w| (w - omega).abs()).fold(f64::MAX, f64::min);
     // The gain is off by 1e-9 there, and with it the frequency.
     assert!(edge.phase_crossovers.iter().map(|&omega| distance(omega)).fold(f64::MAX, f64::min) < 1e-8);
 }
@@ -189,7 +193,8 @@ fn a_loop_is_stable_up_to_the_largest_sample_period_and_not_just_beyond() {
     // P control of K·Kc·d = 0.45: the continuous loop has a gain margin of (π/2)/0.45 = 3.49.
     let (process, p) = (read_process("K=1,d=1").unwrap(), read_controller("Kc=0.45").unwrap());
     let demand = |m: &Margins| m.gain_margin.map_or(f64::INFINITY, |margin| margin - 2.5);
-    let LargestPeriod::UpTo(Seconds(h)) = largest_sample_period(&process, &p, Seconds(0.0), demand).unwrap() else {
+    let LargestPeriod::UpTo(Seconds(h)) = largest_sample_period(&process, &p, Seconds(0.0), demand).unwrap()
+    else {
         panic!("a period")
     };
     assert!(demand(&of(&process, &p, h).margins) >= 0.0);

@@ -27,7 +27,11 @@ impl Sampled {
             let Some(text) = given else { return Ok(None) };
             let value = read_time(option, text).map_err(Fault::input)?;
             let allowed = |ok: bool, what: &str| {
-                if ok { Ok(Some(value)) } else { Err(Fault::input(format!("{option} is {text}: must be {what}"))) }
+                if ok {
+                    Ok(Some(value))
+                } else {
+                    Err(Fault::input(format!("{option} is {text}: must be {what}")))
+                }
             };
             match option {
                 "--sample-period" => allowed(value > 0.0, "a time greater than 0"),
@@ -109,11 +113,9 @@ impl Sampled {
                 LargestPeriod::None => {
                     writeln!(text, " {condition} does not hold for the continuous loop: for no sample period")
                 }
-                LargestPeriod::UpTo(h) => writeln!(
-                    text,
-                    " {condition} holds for every sample period up to {} s",
-                    number(h.0)
-                ),
+                LargestPeriod::UpTo(h) => {
+                    writeln!(text, " {condition} holds for every sample period up to {} s", number(h.0))
+                }
                 LargestPeriod::DeadTime(h) => writeln!(
                     text,
                     " {condition} holds for every sample period up to the dead time of {} s",

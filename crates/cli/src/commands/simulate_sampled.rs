@@ -44,7 +44,8 @@ pub(crate) fn run(
 ) -> Result<Answer, Fault> {
     let ramps = args.sampled.ramps()?;
     let actual = args.sampled.actual_process()?.unwrap_or(process);
-    let sampled = SampledLoop::new(&process, &controller, equipment).map_err(|error| sampled_fault(&error))?;
+    let sampled =
+        SampledLoop::new(&process, &controller, equipment).map_err(|error| sampled_fault(&error))?;
     let sampled = sampled.on(&actual);
     sampled.require_stable().map_err(|error| sampled_fault(&error))?;
     let continuous = sampled.continuous().filter(|_| ramps.is_empty());

@@ -75,7 +75,8 @@ pub fn sampled_law<T: Scalar>(
     }
     let Some(observer) = controller.observer() else { return Ok(Law { pid, observer: None }) };
     if !process.is_plain() {
-        let reason = "has no sampled law on this process: the observer's model is one integrator with dead time";
+        let reason =
+            "has no sampled law on this process: the observer's model is one integrator with dead time";
         return refused("observer_gain", reason);
     }
     let model_gain = t(observer.model_gain().unwrap_or(process.process_gain()));

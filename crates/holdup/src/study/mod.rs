@@ -8,8 +8,10 @@ pub mod published;
 #[cfg(feature = "report")]
 pub mod report;
 mod run;
+mod sampled;
 
 use crate::analysis::response::Scenario;
+use crate::analysis::response::sampled::LoadRamp;
 use crate::model::settings::Extras;
 use crate::model::{Controller, Process};
 
@@ -18,6 +20,7 @@ pub use run::{
     ControllerResult, End, FamilyResult, Member, PercentOfBest, Row, ScenarioResult, StudyError,
     StudyProblem, StudyResult, run_study,
 };
+pub use sampled::{SampledLoops, SampledRow, StudyEquipment};
 
 /// Several controllers on several scenarios, for one process.
 #[derive(Debug, Clone, PartialEq)]
@@ -30,6 +33,8 @@ pub struct Study {
     pub recomputes: Option<String>,
     /// The process that all controllers control.
     pub process: Process,
+    /// Sampling and equipment, where every loop is run sampled, too.
+    pub sampled: Option<StudyEquipment>,
     /// The controllers, their names all different; at least one.
     pub controllers: Vec<StudyController>,
     /// The scenarios, their names all different; at least one.
@@ -78,6 +83,8 @@ pub struct StudyScenario {
     pub about: Option<String>,
     /// Setpoint, load, horizon and initial level.
     pub scenario: Scenario,
+    /// Ramps of the load, of the sampled loops.
+    pub load_ramps: Vec<LoadRamp>,
 }
 
 /// One rule with one of its parameters varied.

@@ -159,7 +159,9 @@ impl<'a, C: Curve, M: Modulus> Scan<'a, C, M> {
         let (mut from, mut to) = (0.0, 1.0);
         loop {
             let all = Open { gain: true, phase: true, sensitivity: self.stable, complementary: self.stable };
-            if self.found.phase_crossovers.len() < LISTED && self.steady.is_some_and(|steady| steady.beyond(from)) {
+            if self.found.phase_crossovers.len() < LISTED
+                && self.steady.is_some_and(|steady| steady.beyond(from))
+            {
                 self.list_steady_crossovers(from);
             }
             let open = self.open_by_envelope(all, from, f64::INFINITY);

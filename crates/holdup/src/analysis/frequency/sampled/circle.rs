@@ -76,8 +76,7 @@ impl Circle {
     pub(super) fn turn_of_denominator(&self, from: f64, to: f64) -> Option<f64> {
         let factors = self.factors.as_ref()?;
         // w = 2·sin(θ/2)·e^(j(θ + π)/2); the argument of a + b·w stays within 0 … π.
-        let argument =
-            |theta: f64, &(a, b): &(f64, f64)| (b * theta.sin()).atan2((a - b) + b * theta.cos());
+        let argument = |theta: f64, &(a, b): &(f64, f64)| (b * theta.sin()).atan2((a - b) + b * theta.cos());
         let turns = factors.iter().map(|factor| argument(to, factor) - argument(from, factor));
         Some(0.5 * self.integrators * (to - from) + turns.sum::<f64>())
     }
@@ -160,9 +159,10 @@ fn jet(terms: &Terms, theta: f64) -> Jet {
     let mut total = [Complex::new(0.0, 0.0); 3];
     for (delay, p) in terms {
         let zero = Complex::new(0.0, 0.0);
-        let [p, dp, ddp] = p.iter().rev().fold([zero; 3], |[p, dp, half_ddp], &c| {
-            [p * w + c, dp * w + p, half_ddp * w + dp]
-        });
+        let [p, dp, ddp] = p
+            .iter()
+            .rev()
+            .fold([zero; 3], |[p, dp, half_ddp], &c| [p * w + c, dp * w + p, half_ddp * w + dp]);
         let ddp = ddp * 2.0;
         // dw/dθ = j·z, and z = 1 + w turns with it.
         let along = [p, z * dp * Complex::<f64>::i(), -z * (z * ddp + dp)];

@@ -52,7 +52,8 @@ pub fn sampled_margins(
     delay: Seconds,
 ) -> Result<SampledMargins, FrequencyError> {
     let h = sample_period.0;
-    let longest = law.observer.map_or(0.0, |observer| observer.dead_time()).max(process.dead_time() + delay.0);
+    let longest =
+        law.observer.map_or(0.0, |observer| observer.dead_time()).max(process.dead_time() + delay.0);
     // A law that predicts has a term for each of them.
     let most = if law.observer.is_some_and(|observer| observer.predicts()) { 2_000 } else { 50_000 };
     if longest / h > f64::from(most) {
@@ -70,10 +71,12 @@ pub fn sampled_margins(
             checked(&Pulse::new(law, process, h, total))
                 .is_ok_and(|circle| winding::unstable_poles(&circle) != Ok(0))
         };
-        margins.delay_margin = margins.delay_margin.map(|first| Seconds(delay::limit(first.0, h, f64::INFINITY, loses)));
+        margins.delay_margin =
+            margins.delay_margin.map(|first| Seconds(delay::limit(first.0, h, f64::INFINITY, loses)));
         let most = process.dead_time() + delay.0;
         margins.delay_margin_low =
-            delay::cut(margins.delay_margin_low.map(|cut| cut.0), h, most, |change| loses(-change)).map(Seconds);
+            delay::cut(margins.delay_margin_low.map(|cut| cut.0), h, most, |change| loses(-change))
+                .map(Seconds);
     }
     // From measurement to output, L without the process.
     let noise_gain = noise_gain(law, h);
@@ -82,8 +85,7 @@ pub fn sampled_margins(
 
 /// Whether the loop is stable.
 pub(crate) fn is_stable(law: &Law<f64>, process: &Process, h: f64, delay: Seconds) -> bool {
-    checked(&Pulse::new(law, process, h, delay))
-        .is_ok_and(|circle| winding::unstable_poles(&circle) == Ok(0))
+    checked(&Pulse::new(law, process, h, delay)).is_ok_and(|circle| winding::unstable_poles(&circle) == Ok(0))
 }
 
 /// The circle of a loop whose numbers are in reach.
@@ -114,20 +116,12 @@ fn transfer(law: &Law<f64>, h: f64, theta: f64) -> Option<Complex<f64>> {
     Some(Circle::new(&Pulse::new(law, &unit, h, Seconds(0.0))).open(theta) * (z - 1.0) * z)
 }
 
-fn assemble(
-    circle: &Circle,
-    found: &Findings,
-    unstable_poles: Result<usize, Uncounted>,
-    h: f64,
-) -> Margins {
+fn assemble(circle: &Circle, found: &Findings, unstable_poles: Result<usize, Uncounted>, h: f64) -> Margins {
     let stable = unstable_poles == Ok(0);
     let in_seconds = |list: &[f64]| list.iter().map(|theta| theta / h).collect::<Vec<_>>();
     let when_stable = |value: Option<f64>| value.filter(|_| stable);
-    let phases: Vec<(f64, f64)> = found
-        .gain_crossovers
-        .iter()
-        .map(|&theta| (theta, (-circle.direction(theta)[0]).arg()))
-        .collect();
+    let phases: Vec<(f64, f64)> =
+        found.gain_crossovers.iter().map(|&theta| (theta, (-circle.direction(theta)[0]).arg())).collect();
     // A first guess of the delays, as if more delay only turned L.
     let least = |turn: fn(f64) -> f64| {
         phases.iter().map(|&(theta, phase)| turn(phase) / theta * h).min_by(f64::total_cmp)
@@ -148,7 +142,11 @@ fn assemble(
         delay_margin_low: when_stable(cut).map(Seconds),
         gain_crossovers: in_seconds(&found.gain_crossovers),
         phase_crossovers: in_seconds(&found.phase_crossovers),
-        phase_crossovers_complete_to: found.phase_crossovers.last().filter(|_| !complete).map(|last| last / h),
+        phase_crossovers_complete_to: found
+            .phase_crossovers
+            .last()
+            .filter(|_| !complete)
+            .map(|last| last / h),
         sensitivity_peak: when_stable(Some(found.sensitivity.value)),
         sensitivity_peak_frequency: peak_at(found.sensitivity.omega),
         complementary_sensitivity_peak: when_stable(Some(found.complementary.value)),

@@ -15,8 +15,8 @@ mod winding;
 
 pub(crate) use margins::is_stable;
 pub use margins::{SampledMargins, sampled_margins};
-pub use period::{LargestPeriod, PeriodError, largest_sample_period};
 pub(crate) use period::largest_stable_period;
+pub use period::{LargestPeriod, PeriodError, largest_sample_period};
 
 #[cfg(doc)]
 use super::Margins;

@@ -59,10 +59,8 @@ impl Pulse {
             factors.extend(filter);
             let model = [km * h, km * h * (1.0 - model_part)];
             let echo = estimate(&product(&cn, &model));
-            let numerator = vec![
-                (arrival, product(&held, &main)),
-                (arrival + model_whole + 1.0, product(&held, &echo)),
-            ];
+            let numerator =
+                vec![(arrival, product(&held, &main)), (arrival + model_whole + 1.0, product(&held, &echo))];
             return Self { numerator, integrators, factors, prediction: None };
         }
         // u = −[C_p + Ko·lead·(1 + G_m·C_p)]·y, C_p = C/(1 + C·P), with w·(1 + C·P) + C·G_m·w = w + C·Km·h.
@@ -181,7 +179,8 @@ mod tests {
             denominator = product(&denominator, &[rests(h / lag)[0], 1.0]);
         }
         // p(z − 1) by Horner, lowest power of z first.
-        let in_z = |p: &Powers| p.iter().rev().fold(vec![0.0], |sum_, &c| sum(&product(&sum_, &[-1.0, 1.0]), &[c]));
+        let in_z =
+            |p: &Powers| p.iter().rev().fold(vec![0.0], |sum_, &c| sum(&product(&sum_, &[-1.0, 1.0]), &[c]));
         let (n, d) = (in_z(&numerator), in_z(&denominator));
         let order = denominator.len() - 1;
         let mut y: Vec<f64> = Vec::new();

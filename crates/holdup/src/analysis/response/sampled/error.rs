@@ -34,7 +34,9 @@ pub enum SampledError {
         largest: f64,
     },
     /// There are too many samples in a dead time or in the horizon.
-    #[error("sample_period is {value}: must be at least {least}, so that the {of} has at most {most} samples")]
+    #[error(
+        "sample_period is {value}: must be at least {least}, so that the {of} has at most {most} samples"
+    )]
     TooManySamples {
         /// The sample period [s].
         value: f64,
@@ -68,9 +70,9 @@ impl SampledError {
     #[must_use]
     pub fn setting(&self) -> Option<&'static str> {
         match self {
-            Self::SlowerThanDeadTime { .. }
-            | Self::SlowerThanStable { .. }
-            | Self::TooManySamples { .. } => Some("sample_period"),
+            Self::SlowerThanDeadTime { .. } | Self::SlowerThanStable { .. } | Self::TooManySamples { .. } => {
+                Some("sample_period")
+            }
             Self::RampBeyondHorizon { .. } => Some("load_ramp"),
             Self::Law(_) | Self::Setting(_) | Self::TimeOutside { .. } => None,
         }

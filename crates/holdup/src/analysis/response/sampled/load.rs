@@ -5,9 +5,10 @@ use crate::analysis::response::Scenario;
 
 /// Load disturbance at a time [s] and its rate [input unit/s], from the right.
 pub(super) fn load_at(scenario: &Scenario, ramps: &[LoadRamp], time: f64) -> (f64, f64) {
-    ramps.iter().map(|ramp| ramp.at(time)).fold((scenario.load_at(time), 0.0), |sum, ramp| {
-        (sum.0 + ramp.0, sum.1 + ramp.1)
-    })
+    ramps
+        .iter()
+        .map(|ramp| ramp.at(time))
+        .fold((scenario.load_at(time), 0.0), |sum, ramp| (sum.0 + ramp.0, sum.1 + ramp.1))
 }
 
 /// Times at which setpoint or load change, or change their slope, in rising order [s].

@@ -127,7 +127,8 @@ impl SampledLoop {
             }
             let gain = observer.model_gain().unwrap_or(self.designed_on.process_gain());
             let dead_time = observer.model_dead_time().unwrap_or(self.designed_on.dead_time());
-            let observer = observer.with_model_gain(gain).ok()?.with_model_dead_time(Seconds(dead_time)).ok()?;
+            let observer =
+                observer.with_model_gain(gain).ok()?.with_model_dead_time(Seconds(dead_time)).ok()?;
             controller = controller.with_observer(observer);
         }
         Some(ClosedLoop::new(&self.process, &controller))

@@ -294,7 +294,10 @@ mod tests {
                             let t = from + 0.5 * length * (1.0 + s);
                             let (found, exact) = (value(poly, s), piece.output(t));
                             // Rounding of values up to 5, enlarged by the alternating series of e^(−3).
-                            assert!((found - exact).abs() < 5e-14 * (1.0 + exact.abs()), "{lag} {found} {exact}");
+                            assert!(
+                                (found - exact).abs() < 5e-14 * (1.0 + exact.abs()),
+                                "{lag} {found} {exact}"
+                            );
                         }
                     });
                 }
