@@ -82,7 +82,7 @@ Examples:
       --limits 0:100 --initial-manipulated 40 --rate-limit 5 --deadband 0.3 --noise 0.01 --seed 1 --plot real.png
   holdup simulate -p K=0.0506,d=6 -c Kc=1.647,Ti=48 --load-ramp 50:150:2 --sample-period 1 \
       --actual-process K=0.07,d=7 --stiction 1:0.5 --jitter 0.1 --drop 0.02 --computation-delay 0.1")]
-    Simulate(SimulateArgs),
+    Simulate(Box<SimulateArgs>),
     /// Compare several controllers on several scenarios, from a study file
     #[command(after_help = "\
 Example:

@@ -90,11 +90,10 @@ fn scenario_line(scenario: &ScenarioResult) -> String {
         let pairs: Vec<String> = events.iter().map(|(time, value)| format!("{time}:{value}")).collect();
         if pairs.is_empty() { String::new() } else { format!(", {name} {}", pairs.join(",")) }
     };
-    let ramps: String = scenario
-        .load_ramp
-        .iter()
-        .map(|(start, end, change)| format!(", load ramp {start}:{end}:{change}"))
-        .collect();
+    let mut ramps = String::new();
+    for (start, end, change) in &scenario.load_ramp {
+        let _ = write!(ramps, ", load ramp {start}:{end}:{change}");
+    }
     format!(
         "{}{}{}{ramps}, to {} s",
         scenario.name,

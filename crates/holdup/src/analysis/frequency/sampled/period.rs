@@ -146,7 +146,7 @@ fn within(
     }
     // Least value of the parabola through the three.
     let (slope, bend) = (0.5 * (last - first), 0.5 * (first + last) - half);
-    let vertex = if bend > 0.0 { (-0.5 * slope / bend).clamp(-1.0, 1.0) } else { slope.signum() * -1.0 };
+    let vertex = if bend > 0.0 { (-0.5 * slope / bend).clamp(-1.0, 1.0) } else { -slope.signum() };
     let least = half + vertex * (slope + vertex * bend);
     let range = (first - half).abs().max((last - half).abs());
     if depth == 0 || least > range || !range.is_finite() {

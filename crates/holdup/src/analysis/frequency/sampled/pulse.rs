@@ -186,7 +186,7 @@ mod tests {
         let mut y: Vec<f64> = Vec::new();
         for k in 0..12 {
             // z·n: the numerator is one sample ahead.
-            let input = (k <= order).then(|| n.get(order - k).copied().unwrap_or(0.0)).unwrap_or(0.0);
+            let input = order.checked_sub(k).and_then(|power| n.get(power)).copied().unwrap_or(0.0);
             let past: f64 = (1..=order.min(k)).map(|i| d[order - i] * y[k - i]).sum();
             y.push(input - past);
         }

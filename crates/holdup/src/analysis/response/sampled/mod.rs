@@ -190,7 +190,7 @@ impl SampledLoop {
             return Err(SampledError::TimeOutside { value, horizon });
         }
         let rest = self.equipment.settings().initial_manipulated;
-        let run = Run::new(self.settings, &self.process, &self.equipment, scenario, ramps)?;
+        let run = Run::new(&self.settings, &self.process, &self.equipment, scenario, ramps)?;
         // Overshoot and settling are about one setpoint move and nothing else.
         let mut measure = if ramps.is_empty() { measure_of(scenario) } else { Measure::new(None) };
         let mut sampler = Sampler::new(scenario, rest, self.settings.law().observer.is_some(), times);

@@ -57,7 +57,7 @@ pub(super) struct Run<'a> {
 
 impl<'a> Run<'a> {
     pub(super) fn new(
-        settings: Settings<f64>,
+        settings: &Settings<f64>,
         process: &Process,
         equipment: &Equipment,
         scenario: &'a Scenario,
@@ -70,7 +70,7 @@ impl<'a> Run<'a> {
         if let Some(rate) = equipment.rate_limit {
             limits = limits.with_rate(rate)?;
         }
-        let settings = settings.with_limits(limits)?;
+        let settings = (*settings).with_limits(limits)?;
         // Late samples follow each other faster than the period says, by no more than the jitter.
         let line = match settings.law().observer {
             Some(observer) => {
