@@ -140,6 +140,16 @@ fn a_sampled_simulation_has_the_same_names_and_its_own() {
 }
 
 #[test]
+fn a_load_ramp_alone_moves_no_setpoint_and_is_within_the_horizon() {
+    let words = ["simulate", "-p", PROCESS, "-c", "Kc=1.647,Ti=48", "--sample-period", "1"];
+    let result = json(&[&words[..], &["--load-ramp", "50:150:2", "--initial", "3"]].concat());
+    assert_eq!(result["horizon_s"], 150.0 + 50.0 * 6.0);
+    assert!((result["final"]["controlled_variable"].as_f64().unwrap() - 3.0).abs() < 1e-3);
+    assert!((result["final"]["manipulated_variable"].as_f64().unwrap() + 2.0).abs() < 1e-3);
+    assert!(result["continuous"].is_null() && result["bounds"]["iae"].is_null());
+}
+
+#[test]
 fn fast_samples_are_compared_with_the_continuous_loop() {
     let result = json(&["simulate", "-p", PROCESS, "-c", PID, "--sample-period", "0.01", "--load", "0:1"]);
     let (sampled, continuous) = (&result["metrics"], &result["continuous"]["metrics"]);

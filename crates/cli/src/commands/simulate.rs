@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use holdup::analysis::bounds::Bounds;
 use holdup::analysis::metrics::Metrics;
+use holdup::analysis::response::sampled::LoadRamp;
 use holdup::analysis::response::{Scenario, Trajectory, plot_times, simulate, trajectory};
 use holdup::model::quantity::{read_number, read_time};
 use holdup::model::{ClosedLoop, Controller};
@@ -16,7 +17,7 @@ use super::view::{METRICS, check_kind, controller_line, figure_file, process_lin
 use crate::args::SimulateArgs;
 use crate::console::{Answer, Console};
 use crate::fault::Fault;
-use crate::input::{closed_loop, scenario};
+use crate::input::{closed_loop, scenario, scenario_with};
 use crate::table::{number, table};
 
 /// Times in a file, where their number is not given.
@@ -28,10 +29,15 @@ const GREATEST: f64 = 10_000_000.0;
 /// Simulates the loop.
 pub(crate) fn run(args: &SimulateArgs, console: Console) -> Result<Answer, Fault> {
     let (process, controller) = closed_loop(&args.of)?;
-    let scenario = scenario(&args.scenario, &process)?;
+    let equipment = args.sampled.equipment()?;
+    let ramps = args.sampled.ramps()?;
+    let scenario = match ramps.iter().map(LoadRamp::end).max_by(f64::total_cmp) {
+        None => scenario(&args.scenario, &process)?,
+        last_ramp => scenario_with(&args.scenario, &process, last_ramp)?,
+    };
     args.plot.as_deref().map_or(Ok(()), check_kind)?;
-    if let Some(equipment) = args.sampled.equipment()? {
-        return simulate_sampled::run(args, (process, controller), (scenario, &equipment), console);
+    if let Some(equipment) = &equipment {
+        return simulate_sampled::run(args, (process, controller), (scenario, ramps), equipment, console);
     }
     let times = times(args, scenario.horizon())?;
     let closed = ClosedLoop::new(&process, &controller);

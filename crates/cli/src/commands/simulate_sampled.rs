@@ -39,10 +39,10 @@ struct Case {
 pub(crate) fn run(
     args: &SimulateArgs,
     (process, controller): (Process, Controller),
-    (scenario, equipment): (Scenario, &Equipment),
+    (scenario, ramps): (Scenario, Vec<LoadRamp>),
+    equipment: &Equipment,
     console: Console,
 ) -> Result<Answer, Fault> {
-    let ramps = args.sampled.ramps()?;
     let actual = args.sampled.actual_process()?.unwrap_or(process);
     let sampled =
         SampledLoop::new(&process, &controller, equipment).map_err(|error| sampled_fault(&error))?;

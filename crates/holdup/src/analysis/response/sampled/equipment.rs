@@ -96,7 +96,7 @@ impl Equipment {
             let allowed = format!("below the sample period of {h} s");
             return Err(EquipmentError::Outside { name: "jitter", value: settings.jitter, allowed });
         }
-        if settings.computation_delay > room {
+        if settings.computation_delay > room * (1.0 + 1e-12) {
             let value = settings.computation_delay;
             let allowed = format!("at most {room} s: with the jitter within one sample period");
             return Err(EquipmentError::Outside { name: "computation_delay", value, allowed });

@@ -118,21 +118,15 @@ impl<'a> Run<'a> {
                 next_change += 1;
             }
             self.setpoint = self.scenario.setpoint_at(self.now + together) - self.scenario.initial();
+            // A delay of a whole sample ends where the next sample is taken: the older output first.
+            self.deliver(together);
             if next_sample <= self.now + together {
                 let output = self.sample(next_sample - last_sample);
                 self.coming = Some((self.now + delay, output));
                 last_sample = next_sample;
                 number += 1.0;
                 next_sample = self.sensor.time_of(number);
-            }
-            if let Some((time, output)) = self.coming.filter(|(time, _)| *time <= self.now + together) {
-                debug_assert!(time <= self.now + together);
-                self.coming = None;
-                self.manipulated = output;
-                self.valve.command(output);
-                if let Some(estimate) = &mut self.load_estimate {
-                    *estimate = self.state.observer.load_estimate;
-                }
+                self.deliver(together);
             }
             if self.now >= horizon {
                 break;
@@ -144,8 +138,11 @@ impl<'a> Run<'a> {
             if let Some((time, _)) = self.coming {
                 until = until.min(time);
             }
-            if let Some(left) = self.valve.moving_for() {
-                until = until.min(self.now + left);
+            match self.valve.moving_for() {
+                // So near that the clock would not move: it is there.
+                Some(left) if left <= together => self.valve.advance(left),
+                Some(left) => until = until.min(self.now + left),
+                None => {}
             }
             if horizon - until <= together {
                 until = horizon;
@@ -158,6 +155,16 @@ impl<'a> Run<'a> {
         }
         self.count.travel = self.valve.travel;
         self.count
+    }
+
+    /// Gives the valve the output that has come, if one has.
+    fn deliver(&mut self, together: f64) {
+        let Some((_, output)) = self.coming.take_if(|(time, _)| *time <= self.now + together) else { return };
+        self.manipulated = output;
+        self.valve.command(output);
+        if let Some(estimate) = &mut self.load_estimate {
+            *estimate = self.state.observer.load_estimate;
+        }
     }
 
     /// One sample; returns the output that follows from it.
