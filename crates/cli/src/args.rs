@@ -7,6 +7,7 @@ use clap::{Args, Parser, Subcommand};
 
 use crate::commands::optimise::OptimiseArgs;
 use crate::commands::robust::RobustArgs;
+use crate::sampled::SampledArgs;
 
 /// Design, prove and simulate control loops of integrating processes with dead time, exactly.
 #[derive(Debug, Parser)]
@@ -64,8 +65,10 @@ Examples:
 Examples:
   holdup analyse -p K=0.0506,d=6 -c Kc=2.95,Ti=15,Td=3,N=100
   holdup analyse -p K=0.0506,d=6 -c Kc=1.5321,Td=1.0343,Ko=1.5321 --require 'gain_margin>=2'
-  holdup analyse -p K=0.0506,d=6 -c Kc=2.95,Ti=15,Td=3,N=100 --limits 0:100 --output-at-rest 40
-  holdup analyse loop.toml --json")]
+  holdup analyse -p K=0.0506,d=6 -c Kc=2.95,Ti=15,Td=3,N=100 --limits 0:100 --initial-manipulated 40
+  holdup analyse loop.toml --json
+  holdup analyse -p K=0.0506,d=6 -c Kc=1.647,Ti=48 --sample-period 2 --require 'sampled.gain_margin>=2'
+  holdup analyse -p K=0.0506,d=6 -c Kc=1.647,Ti=48 --largest-sample-period 'gain_margin>=2.5'")]
     Analyse(AnalyseArgs),
     /// Draw where a loop is stable in a plane of two settings, and where its robustness is constant
     #[command(after_help = "\
@@ -77,8 +80,12 @@ Examples:
     #[command(after_help = "\
 Examples:
   holdup simulate -p K=0.0506,d=6 -c Kc=2.95,Ti=15,Td=3,N=100 --load 100:1
-  holdup simulate -p K=0.0506,d=6 -c Kc=1.5321,Td=1.0343,N=100 --csv step.csv --plot step.svg")]
-    Simulate(SimulateArgs),
+  holdup simulate -p K=0.0506,d=6 -c Kc=1.5321,Td=1.0343,N=100 --csv step.csv --plot step.svg
+  holdup simulate -p K=0.0506,d=6 -c Kc=1.5321,Td=1.0343,N=2,Ko=0.7 --load 100:1 --sample-period 0.5 \
+      --limits 0:100 --initial-manipulated 40 --rate-limit 5 --deadband 0.3 --noise 0.01 --seed 1 --plot real.png
+  holdup simulate -p K=0.0506,d=6 -c Kc=1.647,Ti=48 --load-ramp 50:150:2 --sample-period 1 \
+      --actual-process K=0.07,d=7 --stiction 1:0.5 --jitter 0.1 --drop 0.02 --computation-delay 0.1")]
+    Simulate(Box<SimulateArgs>),
     /// Look at a plant record: what was read and repaired, what it shows, which part of it to use
     #[command(after_help = "\
 Examples:
@@ -159,6 +166,15 @@ pub(crate) struct AnalyseArgs {
     /// The actuator.
     #[command(flatten)]
     pub(crate) actuator: ActuatorArgs,
+    /// Also the exact margins of the loop sampled in this time, with hold and fractional dead time
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    pub(crate) sample_period: Option<String>,
+    /// Time from a sample to the output that follows from it
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    pub(crate) computation_delay: Option<String>,
+    /// Also the largest sample period up to which this holds for every smaller one: 'stable', or a margin with >= or <=
+    #[arg(long, value_name = "CONDITION")]
+    pub(crate) largest_sample_period: Option<String>,
 }
 
 /// The actuator of a loop.
@@ -169,7 +185,7 @@ pub(crate) struct ActuatorArgs {
     pub(crate) limits: Option<String>,
     /// The manipulated variable at rest [default: 0, or the limit nearest to it]
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
-    pub(crate) output_at_rest: Option<String>,
+    pub(crate) initial_manipulated: Option<String>,
     /// Size of the setpoint step that is asked about [default: 1]
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     pub(crate) setpoint_step: Option<String>,
@@ -357,6 +373,9 @@ pub(crate) struct SimulateArgs {
     /// Distance of the times in --csv and --plot, instead of their number
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     pub(crate) step: Option<String>,
+    /// Sampling and equipment.
+    #[command(flatten)]
+    pub(crate) sampled: SampledArgs,
 }
 
 /// `holdup compare`.

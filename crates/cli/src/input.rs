@@ -64,20 +64,30 @@ pub(crate) fn closed_loop(args: &LoopArgs) -> Result<(Process, Controller), Faul
 
 /// The scenario of the options.
 pub(crate) fn scenario(args: &ScenarioArgs, process: &Process) -> Result<Scenario, Fault> {
+    scenario_with(args, process, None)
+}
+
+/// The scenario of the options where something else happens, too, the last of it at this time [s].
+pub(crate) fn scenario_with(
+    args: &ScenarioArgs,
+    process: &Process,
+    other: Option<f64>,
+) -> Result<Scenario, Fault> {
     let events = |option: &str, given: &Option<String>| match given {
         Some(text) => read_events(option, text).map_err(Fault::input),
         None => Ok(Vec::new()),
     };
     let (mut setpoint, load) = (events("--setpoint", &args.setpoint)?, events("--load", &args.load)?);
+    let initial =
+        args.initial.as_ref().map_or(Ok(0.0), |text| read_number("--initial", text)).map_err(Fault::input)?;
     if setpoint.is_empty() && load.is_empty() {
-        setpoint.push((0.0, 1.0));
+        setpoint.push((0.0, if other.is_some() { initial } else { 1.0 }));
     }
-    let last = setpoint.iter().chain(&load).map(|(time, _)| *time).fold(0.0, f64::max);
+    let events = setpoint.iter().chain(&load).map(|(time, _)| *time);
+    let last = events.chain(other).fold(0.0, f64::max);
     let horizon = match &args.horizon {
         Some(text) => read_time("--horizon", text).map_err(Fault::input)?,
         None => last + DEAD_TIMES * process.dead_time(),
     };
-    let initial =
-        args.initial.as_ref().map_or(Ok(0.0), |text| read_number("--initial", text)).map_err(Fault::input)?;
     Scenario::new(setpoint, load, Seconds(horizon), initial).map_err(Fault::input)
 }

@@ -7,6 +7,7 @@ mod fault;
 mod input;
 mod progress;
 mod require;
+mod sampled;
 mod table;
 
 use std::process::ExitCode;

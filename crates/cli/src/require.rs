@@ -7,8 +7,16 @@ use serde_json::Value;
 use crate::fault::Fault;
 
 /// Parts of a result that hold what was asked for or what is possible: a bare name means what was achieved.
-const ASIDE: [&str; 7] =
-    ["designed", "bounds", "percent_of_best", "specification", "published", "loops", "alternatives"];
+const ASIDE: [&str; 8] = [
+    "designed",
+    "bounds",
+    "percent_of_best",
+    "specification",
+    "published",
+    "loops",
+    "alternatives",
+    "sampled",
+];
 
 /// One demand.
 #[derive(Debug, Clone, PartialEq)]

@@ -38,6 +38,76 @@ fn each_fault_of_the_options_names_option_and_value() {
 }
 
 #[test]
+fn each_fault_of_the_equipment_names_option_value_and_what_is_allowed() {
+    for (words, parts) in [
+        (&["--sample-period", "0"][..], &["--sample-period is 0"][..]),
+        (&["--sample-period", "7"], &["--sample-period is 7: must be at most the dead time of 6 s"]),
+        (&["--sample-period", "1e-9"], &["--sample-period", "at least"]),
+        (&["--sample-period", "fast"], &["--sample-period", "fast"]),
+        (&["--limits", "0:100"], &["--limits: needs --sample-period"]),
+        (&["--seed", "3"], &["--seed: needs --sample-period"]),
+        (&["--sample-period", "1", "--limits", "100:0"], &["--limits is 100", "below the high one of 0"]),
+        (&["--sample-period", "1", "--limits", "0-100"], &["--limits is 0-100", "LOW:HIGH"]),
+        (&["--sample-period", "1", "--limits", "1:2"], &["--initial-manipulated is 0", "1 to 2"]),
+        (&["--sample-period", "1", "--rate-limit", "0"], &["--rate-limit is 0"]),
+        (&["--sample-period", "1", "--noise", "-0.1"], &["--noise is -0.1", "0 or greater"]),
+        (&["--sample-period", "1", "--drop", "1"], &["--drop is 1", "below 1"]),
+        (&["--sample-period", "1", "--drop", "-0.1"], &["--drop is -0.1"]),
+        (&["--sample-period", "1", "--jitter", "1"], &["--jitter is 1", "below the sample period of 1 s"]),
+        (&["--sample-period", "1", "--computation-delay", "2"], &["--computation-delay is 2", "at most 1 s"]),
+        (&["--sample-period", "1", "--stiction", "3"], &["--stiction is 3", "S:J"]),
+        (&["--sample-period", "1", "--stiction", "3:-1"], &["--stiction is -1"]),
+        (&["--sample-period", "1", "--deadband", "-1"], &["--deadband is -1"]),
+        (&["--sample-period", "1", "--deadband", "1", "--stiction", "1:0"], &["--deadband", "--stiction"]),
+        (&["--sample-period", "1", "--seed", "-1"], &["--seed is -1", "whole number"]),
+        (&["--sample-period", "1", "--output-quantum", "0"], &["--output-quantum is 0"]),
+        (&["--sample-period", "1", "--load-ramp", "5:1"], &["--load-ramp is 5:1", "start:end:change"]),
+        (&["--sample-period", "1", "--load-ramp", "5:1:1"], &["--load-ramp is 1", "after the start"]),
+        (
+            &["--sample-period", "1", "--load-ramp", "5:90:1", "--horizon", "80"],
+            &["--load-ramp ends at 90 s", "horizon of 80 s"],
+        ),
+        (&["--sample-period", "1", "--actual-process", "K=0,d=6"], &["--actual-process: K is 0"]),
+        (&["--sample-period", "1", "--horizon", "1e9"], &["--sample-period is 1", "at least 50"]),
+    ] {
+        let error = refused(&[&LOOP[..], words].concat());
+        for part in parts {
+            assert!(error.contains(part), "{words:?}: {error}");
+        }
+    }
+}
+
+#[test]
+fn sampling_that_is_too_slow_for_the_loop_says_how_slow_it_may_be() {
+    let words = ["simulate", "-p", PROCESS, "-c", "Kc=4,Ti=40", "--sample-period"];
+    let error = refused(&[&words[..], &["5"]].concat());
+    assert!(error.contains("--sample-period is 5: must be at most about 1.948"), "{error}");
+    let code = |h: &str| common::run(&[&words[..], &[h]].concat()).status.code();
+    assert_eq!(code("1.948"), Some(0));
+    // A loop that is unstable without sampling, too, is an answer.
+    let unstable = ["simulate", "-p", PROCESS, "-c", "Kc=9", "--sample-period", "5"];
+    assert_eq!(common::run(&unstable).status.code(), Some(0));
+}
+
+#[test]
+fn each_fault_of_the_sampled_analysis_is_named() {
+    for (words, parts) in [
+        (&["--sample-period", "0"][..], "--sample-period is 0"),
+        (&["--sample-period", "1e-7"], "--sample-period: the dead time has 60000000 samples"),
+        (&["--computation-delay", "1"], "--computation-delay: needs --sample-period"),
+        (&["--sample-period", "1", "--computation-delay", "2"], "--computation-delay is 2"),
+        (&["--largest-sample-period", "gain_margn>=2"], "did you mean 'gain_margin'?"),
+        (&["--largest-sample-period", "gain_margin"], "has no comparison"),
+        (&["--largest-sample-period", "gain_margin>=x"], "compares with no finite number"),
+    ] {
+        let error = refused(&[&["analyse", "-p", PROCESS, "-c", "Kc=1,Ti=50"][..], words].concat());
+        assert!(error.contains(parts), "{words:?}: {error}");
+    }
+    let error = refused(&["analyse", "-p", PROCESS, "-c", "Kc=1,a1=1", "--sample-period", "1"]);
+    assert!(error.contains("output_filter: has no sampled law"), "{error}");
+}
+
+#[test]
 fn each_fault_of_the_loop_names_its_key() {
     for (process, controller, parts) in [
         ("K=0,d=6", "Kc=1", "--process: K is 0"),
@@ -232,6 +302,17 @@ fn each_fault_of_a_study_names_file_line_key_and_value() {
             "controller.name is a: must be a name that no other",
         ),
         ("[[scenario]]", "[[scenaro]]", ":10: unknown key 'scenaro': did you mean 'scenario'?"),
+        (
+            "[[scenario]]",
+            "[sampled]\nsample_period_s = 1.0\nlimit = [0.0, 1.0]\n[[scenario]]",
+            ":12: unknown key 'sampled.limit': did you mean 'limits'?",
+        ),
+        (
+            "[[scenario]]",
+            "[sampled]\nsample_period_s = 1.0\nlimits = [1.0, 0.0]\n[[scenario]]",
+            ":12: sampled.limits is 1: must be a low limit below the high one of 0",
+        ),
+        ("horizon_s", "load_ramp = [[1.0, 2.0, 3.0]]\nhorizon_s", ":13: scenario.load_ramp: needs the table"),
         (STUDY, "", "process is missing"),
         ("title = \"t\"", "title = ", ":1: not valid TOML"),
     ] {
@@ -321,7 +402,10 @@ fn each_fault_of_the_actuator_names_option_and_value() {
     for (words, parts) in [
         (&["--limits", "100:0"][..], &["--limits", "100:0"][..]),
         (&["--limits", "5"], &["--limits", "5", "low:high"]),
-        (&["--limits", "0:100", "--output-at-rest", "140"], &["--output-at-rest", "140", "0 to 100"]),
+        (
+            &["--limits", "0:100", "--initial-manipulated", "140"],
+            &["--initial-manipulated", "140", "0 to 100"],
+        ),
         (&["--limits", "0:100", "--load-step", "inf"], &["--load-step", "inf"]),
         (&["--setpoint-step", "2"], &["--setpoint-step", "--limits"]),
     ] {

@@ -91,6 +91,92 @@ fn simulate_has_the_names_of_the_contract() {
 }
 
 #[test]
+fn a_sampled_simulation_has_the_same_names_and_its_own() {
+    let equipment = [
+        "--sample-period",
+        "0.5",
+        "--limits",
+        "0:100",
+        "--initial-manipulated",
+        "40",
+        "--rate-limit",
+        "5",
+        "--stiction",
+        "0.2:0.1",
+        "--output-quantum",
+        "0.05",
+        "--measurement-quantum",
+        "0.01",
+        "--noise",
+        "0.01",
+        "--seed",
+        "7",
+        "--jitter",
+        "0.1",
+        "--drop",
+        "0.02",
+        "--computation-delay",
+        "0.1",
+    ];
+    let csv = folder("sampled").join("run.csv");
+    let words = ["simulate", "-p", PROCESS, "-c", "Kc=1.5321,Td=1.0343,N=2,Ko=0.7", "--load", "20:1"];
+    let words =
+        [&words[..], &["--load-ramp", "50:80:-1", "--actual-process", "K=0.055,d=6.5"], &equipment].concat();
+    let result = json(&[&words[..], &["--csv", csv.to_str().unwrap()]].concat());
+    has(&result, &["metrics", "bounds", "final", "sampled", "continuous", "warnings"]);
+    has(&result["metrics"], &METRICS);
+    has(&result["metrics"], &["valve_travel"]);
+    has(&result["bounds"], &BOUNDS);
+    has(&result["final"], &["controlled_variable", "manipulated_variable", "valve_position"]);
+    has(&result["sampled"], &["sample_period_s", "samples", "lost_samples", "limited_samples", "seed"]);
+    assert!(result["metrics"]["valve_travel"].as_f64() < result["metrics"]["total_variation"].as_f64());
+    // The load is taken away again: the valve comes back to its rest, to a stickband.
+    assert!((result["final"]["valve_position"].as_f64().unwrap() - 40.0).abs() < 0.5);
+    let text = std::fs::read_to_string(csv).unwrap();
+    assert!(text.starts_with(
+        "t,setpoint,controlled_variable,manipulated_variable,load,load_estimate,valve_position\n"
+    ));
+    assert_eq!(result, json(&words), "the seed decides");
+}
+
+#[test]
+fn a_load_ramp_alone_moves_no_setpoint_and_is_within_the_horizon() {
+    let words = ["simulate", "-p", PROCESS, "-c", "Kc=1.647,Ti=48", "--sample-period", "1"];
+    let result = json(&[&words[..], &["--load-ramp", "50:150:2", "--initial", "3"]].concat());
+    assert_eq!(result["horizon_s"], 150.0 + 50.0 * 6.0);
+    assert!((result["final"]["controlled_variable"].as_f64().unwrap() - 3.0).abs() < 1e-3);
+    assert!((result["final"]["manipulated_variable"].as_f64().unwrap() + 2.0).abs() < 1e-3);
+    assert!(result["continuous"].is_null() && result["bounds"]["iae"].is_null());
+}
+
+#[test]
+fn fast_samples_are_compared_with_the_continuous_loop() {
+    let result = json(&["simulate", "-p", PROCESS, "-c", PID, "--sample-period", "0.01", "--load", "0:1"]);
+    let (sampled, continuous) = (&result["metrics"], &result["continuous"]["metrics"]);
+    for name in ["iae", "ise", "peak"] {
+        let ratio = sampled[name].as_f64().unwrap() / continuous[name].as_f64().unwrap();
+        // h/2 of dead time more, of 6 s, and a filter of h + 0.01 s.
+        assert!((ratio - 1.0).abs() < 0.01, "{name} {ratio}");
+    }
+    assert!(result["percent_of_best"]["iae"].as_f64().unwrap() < 100.0);
+}
+
+#[test]
+fn analyse_has_the_margins_of_the_sampled_loop_beside_those_of_the_continuous_one() {
+    let words = ["analyse", "-p", PROCESS, "-c", "Kc=1.647,Ti=48", "--sample-period", "2"];
+    let result = json(&[&words[..], &["--largest-sample-period", "gain_margin>=2.5"]].concat());
+    has(&result["sampled"], &MARGINS);
+    has(&result["sampled"], &["sample_period_s", "noise_gain"]);
+    assert!(result["sampled"]["gain_margin"].as_f64() < result["margins"]["gain_margin"].as_f64());
+    let largest = result["largest_sample_period"]["sample_period_s"].as_f64().unwrap();
+    assert!(largest > 1.0 && largest < 2.0, "{largest}");
+    let demand = |text: &str| run(&[&words[..], &["--require", text]].concat()).status.code();
+    assert_eq!(demand("sampled.gain_margin>=2.5"), Some(1));
+    // A bare name is that of the continuous loop, as without a sample period.
+    assert_eq!(demand("gain_margin>=2.5"), Some(0));
+}
+
+#[test]
 fn tune_shows_what_was_specified_beside_what_is_achieved() {
     let result =
         json(&["tune", "-p", PROCESS, "--rule", "pd-kadam", "--set", "phi_m=180deg", "--set", "Ts=40s"]);
@@ -416,7 +502,7 @@ fn analyse_with_limits_says_what_the_actuator_allows() {
         PID,
         "--limits",
         "0:100",
-        "--output-at-rest",
+        "--initial-manipulated",
         "40",
         "--load-step",
         "20",

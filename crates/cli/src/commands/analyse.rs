@@ -7,6 +7,7 @@ use holdup::model::{ClosedLoop, Controller, Process};
 use serde_json::{Value, json};
 
 use super::analyse_actuator;
+use super::analyse_sampled::Sampled;
 use super::view::{controller_line, margins_table, process_line};
 use crate::args::AnalyseArgs;
 use crate::console::{Answer, Console};
@@ -18,6 +19,7 @@ use crate::table::number;
 pub(crate) fn run(args: &AnalyseArgs, console: Console) -> Result<Answer, Fault> {
     let (process, controller) = closed_loop(&args.of)?;
     let reach = analyse_actuator::of(&args.actuator, &process, &controller)?;
+    let sampled = Sampled::of(args, &process, &controller)?;
     let closed = ClosedLoop::new(&process, &controller);
     let whole = margins(&closed).map_err(Fault::input)?;
     let parts = Parts::of(&process, &controller)?;
@@ -28,6 +30,7 @@ pub(crate) fn run(args: &AnalyseArgs, console: Console) -> Result<Answer, Fault>
         warnings.push("The noise gain is infinite: the derivative action is not filtered.".to_owned());
     }
     warnings.extend(reach.iter().flat_map(|reach| reach.sentences.clone()));
+    warnings.extend(sampled.warnings());
     let mut json = json!({
         "stable": whole.stable,
         "margins": &whole,
@@ -42,6 +45,7 @@ pub(crate) fn run(args: &AnalyseArgs, console: Console) -> Result<Answer, Fault>
         let reasons = reach.setpoint.best.reasons.iter().chain(&reach.load.best.reasons);
         json["warnings"] = json!(warnings.iter().chain(reasons).collect::<Vec<_>>());
     }
+    sampled.add_to(&mut json);
     let mut text = String::new();
     if !console.json {
         let verdict = if whole.stable { "Stable" } else { "Unstable" };
@@ -49,6 +53,7 @@ pub(crate) fn run(args: &AnalyseArgs, console: Console) -> Result<Answer, Fault>
             format!("{verdict}: {}\n        on {}\n\n", controller_line(&controller), process_line(&process));
         let mut columns: Vec<(&str, &Margins)> = parts.iter().flat_map(Parts::columns).collect();
         columns.push((if columns.is_empty() { "loop" } else { "whole loop" }, &whole));
+        columns.extend(sampled.column());
         text += &margins_table(console, &columns);
         let poles: Vec<String> =
             poles.iter().filter(|pole| pole.im >= 0.0).map(|pole| root(pole.re, pole.im)).collect();
@@ -60,6 +65,7 @@ pub(crate) fn run(args: &AnalyseArgs, console: Console) -> Result<Answer, Fault>
         let _ =
             writeln!(text, " noise gain            {}", noise_gain.map_or_else(|| "∞".to_owned(), number));
         text += &reach.map_or_else(String::new, |reach| analyse_actuator::section(console, &reach));
+        text += &sampled.lines();
     }
     Ok(Answer { json, text, warnings, ..Answer::default() })
 }

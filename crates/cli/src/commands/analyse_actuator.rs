@@ -19,7 +19,7 @@ pub(super) fn of(
     controller: &Controller,
 ) -> Result<Option<Reach>, Fault> {
     let options = [
-        ("--output-at-rest", &args.output_at_rest),
+        ("--initial-manipulated", &args.initial_manipulated),
         ("--setpoint-step", &args.setpoint_step),
         ("--load-step", &args.load_step),
     ];
@@ -40,7 +40,7 @@ pub(super) fn of(
     let rest = value(0, 0.0_f64.clamp(limits.low(), limits.high()))?;
     if !(limits.low()..=limits.high()).contains(&rest) {
         return Err(Fault::input(format!(
-            "--output-at-rest is {rest}: must be within the limits, {} to {}",
+            "--initial-manipulated is {rest}: must be within the limits, {} to {}",
             limits.low(),
             limits.high()
         )));

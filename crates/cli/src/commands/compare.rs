@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use holdup::analysis::metrics::METRICS as COLUMNS;
+use holdup::analysis::metrics::{METRICS as COLUMNS, Metrics};
 use holdup::analysis::response::{plot_times, trajectory};
 use holdup::model::{ClosedLoop, Process, Radians};
 use holdup::study::figures::{Figure, terminal};
@@ -90,8 +90,12 @@ fn scenario_line(scenario: &ScenarioResult) -> String {
         let pairs: Vec<String> = events.iter().map(|(time, value)| format!("{time}:{value}")).collect();
         if pairs.is_empty() { String::new() } else { format!(", {name} {}", pairs.join(",")) }
     };
+    let mut ramps = String::new();
+    for (start, end, change) in &scenario.load_ramp {
+        let _ = write!(ramps, ", load ramp {start}:{end}:{change}");
+    }
     format!(
-        "{}{}{}, to {} s",
+        "{}{}{}{ramps}, to {} s",
         scenario.name,
         events("setpoint", &scenario.setpoint),
         events("load", &scenario.load),
@@ -101,13 +105,14 @@ fn scenario_line(scenario: &ScenarioResult) -> String {
 
 /// Two tables: the metrics, and how near they come to the best possible. Columns without a value are left out.
 fn scenario_tables(scenario: &ScenarioResult, console: Console) -> String {
+    let lines: Vec<(String, &Metrics)> = scenario.rows.iter().flat_map(Row::lines).collect();
     let used: Vec<usize> = (0..METRICS.len())
-        .filter(|&index| scenario.rows.iter().any(|row| (COLUMNS[index].value)(&row.metrics).is_some()))
+        .filter(|&index| lines.iter().any(|(_, metrics)| (COLUMNS[index].value)(metrics).is_some()))
         .collect();
     let heading: Vec<&str> = std::iter::once("").chain(used.iter().map(|&index| METRICS[index].0)).collect();
-    let rows = scenario.rows.iter().map(|row| {
-        let cells = used.iter().map(|&index| METRICS[index].1(&row.metrics));
-        std::iter::once(row.controller.clone()).chain(cells).collect()
+    let rows = lines.into_iter().map(|(name, metrics)| {
+        let cells = used.iter().map(|&index| METRICS[index].1(metrics));
+        std::iter::once(name).chain(cells).collect()
     });
     let mut text = table(console, &heading, &rows.collect::<Vec<Vec<String>>>());
     let best = |row: &Row| {
@@ -152,8 +157,14 @@ fn achieved(name: &str, result: &ControllerResult) -> Vec<String> {
 }
 
 fn controllers(result: &StudyResult, console: Console) -> String {
-    let rows: Vec<_> =
-        result.controllers.iter().map(|controller| achieved(&controller.name, controller)).collect();
+    let mut rows = Vec::new();
+    for controller in &result.controllers {
+        rows.push(achieved(&controller.name, controller));
+        if let Some(margins) = &controller.achieved_sampled {
+            let sampled = ControllerResult { achieved: Some(margins.clone()), ..controller.clone() };
+            rows.push(achieved(&format!("{}, sampled", controller.name), &sampled));
+        }
+    }
     table(console, &ACHIEVED, &rows)
 }
 
@@ -171,7 +182,7 @@ fn members(family: &FamilyResult, console: Console) -> String {
     table(console, &heading, &rows.collect::<Vec<Vec<String>>>())
 }
 
-/// The responses of all controllers in one scenario.
+/// The responses of all controllers in one scenario, continuous and, where it was run so, sampled.
 fn figure(
     process: &Process,
     result: &StudyResult,
@@ -179,7 +190,7 @@ fn figure(
     points: usize,
 ) -> Result<Figure, Fault> {
     let mut runs = Vec::new();
-    for row in &scenario.rows {
+    for row in scenario.rows.iter().filter(|_| !scenario.sampled.alone()) {
         let controller = result.controllers.iter().find(|controller| controller.name == row.controller);
         let Some(controller) = controller.and_then(|controller| controller.chosen.as_ref()) else { continue };
         let closed = ClosedLoop::new(process, controller);
@@ -187,6 +198,7 @@ fn figure(
         let run = trajectory(&closed, &scenario.scenario, &times).map_err(Fault::input)?;
         runs.push((row.controller.clone(), run));
     }
+    runs.extend(scenario.sampled.trajectories(&scenario.scenario, points).map_err(Fault::input)?);
     response_figure(&scenario.name, &scenario.scenario, &runs, false).map_err(Fault::input)
 }
 
@@ -200,11 +212,11 @@ fn csv(result: &StudyResult) -> Vec<u8> {
     }
     text.push('\n');
     for scenario in &result.scenarios {
-        for row in &scenario.rows {
-            let _ = write!(text, "{},{}", quoted(&scenario.name), quoted(&row.controller));
+        for (name, metrics) in scenario.rows.iter().flat_map(Row::lines) {
+            let _ = write!(text, "{},{}", quoted(&scenario.name), quoted(&name));
             for column in COLUMNS {
                 text.push(',');
-                if let Some(value) = (column.value)(&row.metrics) {
+                if let Some(value) = (column.value)(metrics) {
                     text.push_str(zmij::Buffer::new().format(value));
                 }
             }

@@ -2,6 +2,7 @@
 
 mod analyse;
 mod analyse_actuator;
+mod analyse_sampled;
 mod compare;
 mod completions;
 mod convert;
@@ -16,6 +17,7 @@ pub(crate) mod robust;
 mod rule_page;
 mod rules;
 mod simulate;
+mod simulate_sampled;
 mod survey;
 mod tune;
 mod view;

@@ -3,6 +3,8 @@
 use std::fmt::Write as _;
 
 use holdup::analysis::bounds::Bounds;
+use holdup::analysis::metrics::Metrics;
+use holdup::analysis::response::sampled::LoadRamp;
 use holdup::analysis::response::{Scenario, Trajectory, plot_times, simulate, trajectory};
 use holdup::model::quantity::{read_number, read_time};
 use holdup::model::{ClosedLoop, Controller};
@@ -10,11 +12,12 @@ use holdup::study::PercentOfBest;
 use holdup::study::figures::terminal;
 use serde_json::json;
 
+use super::simulate_sampled;
 use super::view::{METRICS, check_kind, controller_line, figure_file, process_line, response_figure};
 use crate::args::SimulateArgs;
 use crate::console::{Answer, Console};
 use crate::fault::Fault;
-use crate::input::{closed_loop, scenario};
+use crate::input::{closed_loop, scenario, scenario_with};
 use crate::table::{number, table};
 
 /// Times in a file, where their number is not given.
@@ -26,8 +29,16 @@ const GREATEST: f64 = 10_000_000.0;
 /// Simulates the loop.
 pub(crate) fn run(args: &SimulateArgs, console: Console) -> Result<Answer, Fault> {
     let (process, controller) = closed_loop(&args.of)?;
-    let scenario = scenario(&args.scenario, &process)?;
+    let equipment = args.sampled.equipment()?;
+    let ramps = args.sampled.ramps()?;
+    let scenario = match ramps.iter().map(LoadRamp::end).max_by(f64::total_cmp) {
+        None => scenario(&args.scenario, &process)?,
+        last_ramp => scenario_with(&args.scenario, &process, last_ramp)?,
+    };
     args.plot.as_deref().map_or(Ok(()), check_kind)?;
+    if let Some(equipment) = &equipment {
+        return simulate_sampled::run(args, (process, controller), (scenario, ramps), equipment, console);
+    }
     let times = times(args, scenario.horizon())?;
     let closed = ClosedLoop::new(&process, &controller);
     let response = simulate(&closed, &scenario).map_err(Fault::input)?;
@@ -51,7 +62,7 @@ pub(crate) fn run(args: &SimulateArgs, console: Console) -> Result<Answer, Fault
     let mut files = Vec::new();
     if args.csv.is_some() || args.plot.is_some() {
         if let Some(path) = &args.csv {
-            files.push((path.clone(), csv(&draw(&times)?)));
+            files.push((path.clone(), csv(&draw(&times)?, None)));
         }
         if let Some(path) = &args.plot {
             let times = if args.points.is_some() || args.step.is_some() {
@@ -71,30 +82,7 @@ pub(crate) fn run(args: &SimulateArgs, console: Console) -> Result<Answer, Fault
             process_line(&process),
             number(scenario.horizon())
         );
-        let rows = METRICS.iter().map(|(name, pick)| {
-            let (bound, percent) = match *name {
-                "IAE" => (bounds.iae, percent_of_best.iae),
-                "ISE" => (bounds.ise, percent_of_best.ise),
-                "ITAE" => (bounds.itae, percent_of_best.itae),
-                "peak" => (bounds.peak, percent_of_best.peak),
-                _ => (None, None),
-            };
-            let name = match *name {
-                "energy" => "energy of u",
-                "variation" => "total variation of u",
-                "over [%]" => "overshoot [%]",
-                "rise [s]" => "rise time, 10 to 90 % [s]",
-                "2 % [s]" => "settling time, 2 % [s]",
-                "5 % [s]" => "settling time, 5 % [s]",
-                name => name,
-            };
-            vec![name.to_owned(), pick(&response.metrics), number(bound), number(percent)]
-        });
-        text += &table(
-            console,
-            &["", "this loop", "no controller beats", "% of best possible"],
-            &rows.collect::<Vec<_>>(),
-        );
+        text += &table_of(&[("this loop", &response.metrics)], &bounds, console);
         let _ = write!(
             text,
             " at the end: y = {}, u = {}\n\n",
@@ -109,6 +97,41 @@ pub(crate) fn run(args: &SimulateArgs, console: Console) -> Result<Answer, Fault
     Ok(Answer { json, text, warnings: response.warnings, files })
 }
 
+/// The metrics of one loop or more, the first one against the best possible.
+pub(super) fn table_of(columns: &[(&str, &Metrics)], bounds: &Bounds, console: Console) -> String {
+    let percent_of_best = columns.first().map(|(_, metrics)| PercentOfBest::of(metrics, bounds));
+    let sampled = columns.iter().any(|(_, metrics)| metrics.valve_travel.is_some());
+    let bounded = !sampled || [bounds.iae, bounds.ise, bounds.itae, bounds.peak].iter().any(Option::is_some);
+    let rows = METRICS.iter().filter(|(name, _)| sampled || *name != "travel").map(|(name, pick)| {
+        let percent = |of: fn(&PercentOfBest) -> Option<f64>| percent_of_best.as_ref().and_then(of);
+        let (bound, percent) = match *name {
+            "IAE" => (bounds.iae, percent(|best| best.iae)),
+            "ISE" => (bounds.ise, percent(|best| best.ise)),
+            "ITAE" => (bounds.itae, percent(|best| best.itae)),
+            "peak" => (bounds.peak, percent(|best| best.peak)),
+            _ => (None, None),
+        };
+        let name = match *name {
+            "energy" => "energy of u",
+            "variation" => "total variation of u",
+            "over [%]" => "overshoot [%]",
+            "rise [s]" => "rise time, 10 to 90 % [s]",
+            "2 % [s]" => "settling time, 2 % [s]",
+            "5 % [s]" => "settling time, 5 % [s]",
+            "travel" => "valve travel",
+            name => name,
+        };
+        let values = columns.iter().map(|(_, metrics)| pick(metrics));
+        let best = [number(bound), number(percent)].into_iter().take(if bounded { 2 } else { 0 });
+        std::iter::once(name.to_owned()).chain(values).chain(best).collect()
+    });
+    let rows: Vec<Vec<String>> = rows.collect();
+    let mut heading = vec![""];
+    heading.extend(columns.iter().map(|(name, _)| *name));
+    heading.extend(["no controller beats", "% of best possible"].iter().take(if bounded { 2 } else { 0 }));
+    table(console, &heading, &rows)
+}
+
 fn figure(
     controller: &Controller,
     scenario: &Scenario,
@@ -119,7 +142,7 @@ fn figure(
 }
 
 /// The times of `--points` or `--step`.
-fn times(args: &SimulateArgs, horizon: f64) -> Result<Vec<f64>, Fault> {
+pub(super) fn times(args: &SimulateArgs, horizon: f64) -> Result<Vec<f64>, Fault> {
     if let Some(text) = &args.step {
         let step = read_time("--step", text).map_err(Fault::input)?;
         if !(step > 0.0 && step <= horizon && horizon / step < GREATEST) {
@@ -150,10 +173,11 @@ fn evenly(start: f64, end: f64, count: usize) -> Vec<f64> {
     (0..=last).map(|k| if k == last { end } else { between(k) }).collect()
 }
 
-/// The trajectory as CSV; what is not a finite number is an empty cell.
-fn csv(run: &Trajectory) -> Vec<u8> {
+/// The trajectory as CSV, the position of a valve behind it; what is not a finite number is an empty cell.
+pub(super) fn csv(run: &Trajectory, valve_position: Option<&[f64]>) -> Vec<u8> {
     let mut bytes = Vec::with_capacity(run.time.len() * 96 + 96);
-    bytes.extend_from_slice(b"t,setpoint,controlled_variable,manipulated_variable,load,load_estimate\n");
+    bytes.extend_from_slice(b"t,setpoint,controlled_variable,manipulated_variable,load,load_estimate");
+    bytes.extend_from_slice(if valve_position.is_some() { b",valve_position\n" } else { b"\n" });
     let mut buffer = zmij::Buffer::new();
     for (index, &time) in run.time.iter().enumerate() {
         let cells = [
@@ -164,7 +188,8 @@ fn csv(run: &Trajectory) -> Vec<u8> {
             run.load.get(index).copied(),
             run.load_estimate.as_ref().and_then(|estimate| estimate.get(index).copied()),
         ];
-        for (column, cell) in cells.into_iter().enumerate() {
+        let position = valve_position.map(|positions| positions.get(index).copied());
+        for (column, cell) in cells.into_iter().chain(position).enumerate() {
             if column > 0 {
                 bytes.push(b',');
             }

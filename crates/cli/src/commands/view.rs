@@ -97,7 +97,7 @@ fn several(values: &[f64]) -> String {
 type Shown = fn(&Metrics) -> String;
 
 /// Headings and cells of the time-domain metrics.
-pub(crate) const METRICS: [(&str, Shown); 10] = [
+pub(crate) const METRICS: [(&str, Shown); 11] = [
     ("IAE", |m| number(m.iae)),
     ("ISE", |m| number(m.ise)),
     ("ITAE", |m| number(m.itae)),
@@ -108,6 +108,7 @@ pub(crate) const METRICS: [(&str, Shown); 10] = [
     ("2 % [s]", |m| number(m.settling_time.map(|t| t.0))),
     ("5 % [s]", |m| number(m.settling_time_5.map(|t| t.0))),
     ("peak", |m| number(m.peak)),
+    ("travel", |m| number(m.valve_travel)),
 ];
 
 /// The controlled and the manipulated variable of several runs of one scenario over time.
@@ -135,7 +136,7 @@ pub(crate) fn response_figure(
 }
 
 /// The corners of a signal that is constant between its events.
-fn staircase(events: &[(f64, f64)], before: f64, horizon: f64) -> (Vec<f64>, Vec<f64>) {
+pub(crate) fn staircase(events: &[(f64, f64)], before: f64, horizon: f64) -> (Vec<f64>, Vec<f64>) {
     let (mut times, mut values, mut value) = (vec![0.0], vec![before], before);
     for &(time, next) in events {
         times.extend([time, time]);

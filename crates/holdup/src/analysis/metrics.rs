@@ -30,6 +30,9 @@ pub struct Metrics {
     pub settling_time_5: Option<Seconds>,
     /// Largest deviation of the controlled variable from its initial level [output unit].
     pub peak: Option<f64>,
+    /// Distance that the valve moves [input unit]; of a sampled loop only, and left out of the JSON of others.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub valve_travel: Option<f64>,
 }
 
 #[expect(clippy::ref_option, reason = "serde's signature")]
@@ -118,6 +121,12 @@ pub static METRICS: &[Metric] = &[
         description: "largest deviation of the controlled variable from its initial level",
         value: |m| m.peak,
     },
+    Metric {
+        name: "valve_travel",
+        unit: "input unit",
+        description: "distance that the valve moves, of a sampled loop",
+        value: |m| m.valve_travel,
+    },
 ];
 
 #[cfg(test)]
@@ -126,7 +135,8 @@ mod tests {
 
     #[test]
     fn the_table_and_the_json_have_the_same_names_in_the_same_order() {
-        let json = serde_json::to_value(Metrics::default()).unwrap();
+        let metrics = Metrics { valve_travel: Some(1.0), ..Metrics::default() };
+        let json = serde_json::to_value(metrics).unwrap();
         let names: Vec<&String> = json.as_object().unwrap().keys().collect();
         let table: Vec<&str> = METRICS.iter().map(|m| m.name).collect();
         assert_eq!(names, table);

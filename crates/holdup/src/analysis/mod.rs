@@ -2,6 +2,7 @@
 
 pub mod actuator;
 pub mod bounds;
+mod exponential;
 pub mod frequency;
 pub mod infinite_horizon;
 pub mod metrics;

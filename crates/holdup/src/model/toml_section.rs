@@ -99,6 +99,20 @@ impl<'d> Section<'d> {
         })
     }
 
+    /// A list of three numbers each: where, until where, how much.
+    pub(crate) fn triples(&self, key: &str) -> Result<Option<Vec<[f64; 3]>>, TextError> {
+        self.typed(key, "a list of [start, end, change] such as [[50.0, 150.0, 2.0]]", |value| {
+            let items = value.as_array()?.iter();
+            items
+                .map(|item| {
+                    let numbers: Option<Vec<f64>> =
+                        item.get_ref().as_array()?.iter().map(|part| number(part.get_ref())).collect();
+                    numbers?.try_into().ok()
+                })
+                .collect()
+        })
+    }
+
     /// The names and numbers of a table whose keys are free.
     pub(crate) fn named_numbers(&self, key: &str) -> Result<Option<Vec<(String, f64)>>, TextError> {
         let Some(section) = self.section(key)? else { return Ok(None) };

@@ -25,10 +25,32 @@
 //! a rule the keys of filters, weights and observer may stand and replace what the rule gives. `scenarios`
 //! restricts it to those named. `recomputes` names the published study whose printed numbers the report judges. A `[[family]]` runs one rule with one parameter varied: `name`, `rule`,
 //! `parameters`, `vary`, `values`, `scenario`. `about` is free text, anywhere.
+//!
+//! A table `[sampled]` runs every loop sampled, too, with `holdup-control` and this equipment:
+//!
+//! ```toml
+//! [sampled]
+//! sample_period_s = 0.5        # the only key that must be there
+//! limits = [0.0, 100.0]        # of the manipulated variable, in its own scale …
+//! initial_manipulated = 40.0   # … in which it rests here
+//! rate_limit = 5.0             # per second
+//! stiction = [1.0, 0.5]        # stickband plus deadband S, slip jump J; or deadband = 1.0
+//! output_quantum = 0.1
+//! measurement_quantum = 0.01
+//! noise = 0.02                 # standard deviation
+//! seed = 1
+//! jitter_s = 0.05
+//! drop = 0.01                  # probability
+//! computation_delay_s = 0.1
+//! actual_process = { process_gain = 0.06, dead_time_s = 7.0 }
+//! ```
+//!
+//! A scenario then may have `load_ramp = [[50.0, 150.0, 2.0]]`: start, end, change, in addition to the steps.
 
 use std::collections::BTreeSet;
 
 use super::published::PAPERS;
+use super::sampled::{equipment_section, ramps};
 use super::{Choice, Family, Study, StudyController, StudyScenario};
 use crate::analysis::response::{Scenario, ScenarioError};
 use crate::model::loop_file::{controller_section, extra_keys, extras_section, process_section, term_keys};
@@ -56,9 +78,11 @@ use crate::tuning::{Parameters, RuleError, rule};
 pub fn read_study(text: &str) -> Result<Study, TextError> {
     let document = Document::parse(text)?;
     let root = document.root();
-    root.only(&["title", "about", "recomputes", "process", "controller", "scenario", "family"])?;
+    root.only(&["title", "about", "recomputes", "process", "sampled", "controller", "scenario", "family"])?;
     let process = process_section(&root.require_section("process")?)?;
-    let scenarios = unique(root.sections("scenario")?, scenario, |scenario| &scenario.name)?;
+    let sampled = root.section("sampled")?.map(|section| equipment_section(&section)).transpose()?;
+    let read = |section: &Section<'_>| scenario(section, sampled.is_some());
+    let scenarios = unique(root.sections("scenario")?, read, |scenario| &scenario.name)?;
     if scenarios.is_empty() {
         return Err(root.missing("scenario", "at least one table headed [[scenario]]"));
     }
@@ -75,6 +99,7 @@ pub fn read_study(text: &str) -> Result<Study, TextError> {
         about: root.text("about")?,
         recomputes: recomputes(&root)?,
         process,
+        sampled,
         controllers,
         scenarios,
         families,
@@ -112,18 +137,26 @@ fn named(section: &Section<'_>) -> Result<String, TextError> {
     section.text("name")?.ok_or_else(|| section.missing("name", "a text that is not empty"))
 }
 
-fn scenario(section: &Section<'_>) -> Result<StudyScenario, TextError> {
-    section.only(&["name", "about", "setpoint", "load", "horizon_s", "initial"])?;
+fn scenario(section: &Section<'_>, sampled: bool) -> Result<StudyScenario, TextError> {
+    section.only(&["name", "about", "setpoint", "load", "load_ramp", "horizon_s", "initial"])?;
+    if section.has("load_ramp") && !sampled {
+        let reason = "needs the table [sampled]: the continuous loops know load steps only".into();
+        return Err(section.error("load_ramp", Problem::Conflict { reason }));
+    }
     let horizon = section.require_number("horizon_s")?;
     let (setpoint, load) = (section.pairs("setpoint")?, section.pairs("load")?);
+    let load_ramps = ramps(section, horizon)?;
     let setpoint = match (setpoint, &load) {
-        (None, None) => vec![(0.0, 1.0)],
+        (None, None) if load_ramps.is_empty() => vec![(0.0, 1.0)],
         (setpoint, _) => setpoint.unwrap_or_default(),
     };
     let initial = section.number("initial")?.unwrap_or(0.0);
+    // A ramp alone is an event, too: nothing else moves.
+    let setpoint =
+        if setpoint.is_empty() && !load_ramps.is_empty() { vec![(0.0, initial)] } else { setpoint };
     let scenario = Scenario::new(setpoint, load.unwrap_or_default(), Seconds(horizon), initial)
         .map_err(|error| scenario_error(section, &error))?;
-    Ok(StudyScenario { name: named(section)?, about: section.text("about")?, scenario })
+    Ok(StudyScenario { name: named(section)?, about: section.text("about")?, scenario, load_ramps })
 }
 
 /// The refusal of a scenario, under the key of the file.

@@ -9,8 +9,10 @@ pub mod published;
 pub mod report;
 mod run;
 pub mod runs;
+mod sampled;
 
 use crate::analysis::response::Scenario;
+use crate::analysis::response::sampled::LoadRamp;
 use crate::model::settings::Extras;
 use crate::model::{Controller, Process};
 
@@ -19,6 +21,7 @@ pub use run::{
     ControllerResult, End, FamilyResult, Member, PercentOfBest, Row, ScenarioResult, StudyError,
     StudyProblem, StudyResult, run_study,
 };
+pub use sampled::{SampledLoops, SampledRow, StudyEquipment};
 
 /// Several controllers on several scenarios, for one process.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,6 +34,8 @@ pub struct Study {
     pub recomputes: Option<String>,
     /// The process that all controllers control.
     pub process: Process,
+    /// Sampling and equipment, where every loop is run sampled, too.
+    pub sampled: Option<StudyEquipment>,
     /// The controllers, their names all different; at least one.
     pub controllers: Vec<StudyController>,
     /// The scenarios, their names all different; at least one.
@@ -79,6 +84,8 @@ pub struct StudyScenario {
     pub about: Option<String>,
     /// Setpoint, load, horizon and initial level.
     pub scenario: Scenario,
+    /// Ramps of the load, of the sampled loops.
+    pub load_ramps: Vec<LoadRamp>,
 }
 
 /// One rule with one of its parameters varied.

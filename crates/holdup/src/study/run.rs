@@ -5,7 +5,8 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 use thiserror::Error;
 
-use super::{Choice, Family, Study, StudyController};
+use super::sampled::{self, SampledLoops, SampledRow};
+use super::{Choice, Family, Study, StudyController, StudyScenario};
 use crate::analysis::bounds::Bounds;
 use crate::analysis::frequency::{FrequencyError, Margins, margins};
 use crate::analysis::metrics::Metrics;
@@ -78,6 +79,9 @@ pub struct ScenarioResult {
     pub setpoint: Vec<(f64, f64)>,
     /// Load steps: time [s] and value.
     pub load: Vec<(f64, f64)>,
+    /// Load ramps, of the sampled loops: start [s], end [s] and change.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub load_ramp: Vec<(f64, f64, f64)>,
     /// Horizon [s].
     pub horizon_s: f64,
     /// The output at rest before.
@@ -87,6 +91,9 @@ pub struct ScenarioResult {
     /// The scenario itself.
     #[serde(skip)]
     pub scenario: Scenario,
+    /// The sampled loops of the rows that have one, for drawing.
+    #[serde(skip)]
+    pub sampled: SampledLoops,
 }
 
 /// One controller on one scenario.
@@ -103,6 +110,9 @@ pub struct Row {
     /// The end of the run.
     #[serde(rename = "final")]
     pub end: End,
+    /// What it does sampled, where the study has a table `[sampled]`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sampled: Option<SampledRow>,
     /// When the response of an unstable loop left the numbers [s]; null where it did not.
     pub overflow_at_s: Option<f64>,
     /// What must be known, one sentence each.
@@ -110,7 +120,7 @@ pub struct Row {
 }
 
 /// The end of a run.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct End {
     /// Controlled variable at the horizon.
     pub controlled_variable: Option<f64>,
@@ -119,7 +129,7 @@ pub struct End {
 }
 
 /// How near a run comes to the best possible [%].
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct PercentOfBest {
     /// Of the integral of the absolute error.
     pub iae: Option<f64>,
@@ -165,6 +175,9 @@ pub struct ControllerResult {
     pub specification: Option<Specification>,
     /// What is achieved; null where there is no controller.
     pub achieved: Option<Margins>,
+    /// What is achieved sampled, where the study has a table `[sampled]`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub achieved_sampled: Option<Margins>,
     /// High-frequency gain from measurement to controller output; null where it is infinite.
     pub noise_gain: Option<f64>,
     /// Why no controller meets what was asked, and what can be had.
@@ -215,7 +228,9 @@ pub fn run_study(study: &Study) -> Result<StudyResult, StudyError> {
     let process = &study.process;
     let mut controllers = Vec::with_capacity(study.controllers.len());
     for controller in &study.controllers {
-        controllers.push(result_of(process, controller).map_err(|problem| at(controller, problem))?);
+        let mut result = result_of(process, controller).map_err(|problem| at(controller, problem))?;
+        sampled::achieved(study, &mut result);
+        controllers.push(result);
     }
     let mut scenarios = Vec::with_capacity(study.scenarios.len());
     for scenario in &study.scenarios {
@@ -223,7 +238,7 @@ pub fn run_study(study: &Study) -> Result<StudyResult, StudyError> {
         for (given, result) in study.controllers.iter().zip(&controllers) {
             let wanted = given.scenarios.as_ref().is_none_or(|names| names.contains(&scenario.name));
             if let (true, Some(chosen)) = (wanted, &result.chosen) {
-                let row = run(process, &given.name, chosen, &scenario.name, &scenario.scenario);
+                let row = run(study, &given.name, chosen, scenario);
                 rows.push(row.map_err(|problem| at(given, problem))?);
             }
         }
@@ -232,8 +247,10 @@ pub fn run_study(study: &Study) -> Result<StudyResult, StudyError> {
             about: scenario.about.clone(),
             setpoint: scenario.scenario.setpoint().to_vec(),
             load: scenario.scenario.load().to_vec(),
+            load_ramp: scenario.load_ramps.iter().map(|r| (r.start(), r.end(), r.change())).collect(),
             horizon_s: scenario.scenario.horizon(),
             initial: scenario.scenario.initial(),
+            sampled: SampledLoops::of(study, scenario, &rows, &controllers),
             rows,
             scenario: scenario.scenario.clone(),
         });
@@ -314,6 +331,7 @@ fn no_controller(
         controller: None,
         specification: Some(infeasible.asked),
         achieved: None,
+        achieved_sampled: None,
         noise_gain: None,
         warnings: vec![infeasible.to_string()],
         infeasible: Some(infeasible),
@@ -348,6 +366,7 @@ fn achieved(
         controller: Some(description),
         specification: tuning.map(|tuning| tuning.specification),
         achieved: Some(achieved),
+        achieved_sampled: None,
         noise_gain,
         infeasible: None,
         warnings,
@@ -356,31 +375,54 @@ fn achieved(
 }
 
 fn run(
-    process: &Process,
+    study: &Study,
     name: &str,
     controller: &Controller,
-    scenario_name: &str,
-    scenario: &Scenario,
+    scenario: &StudyScenario,
 ) -> Result<Row, StudyProblem> {
-    let response = simulate(&ClosedLoop::new(process, controller), scenario)
-        .map_err(|error| StudyProblem::Response { scenario: scenario_name.to_owned(), error })?;
-    let bounds = Bounds::of(process, scenario);
-    Ok(Row {
+    let process = &study.process;
+    let response = simulate(&ClosedLoop::new(process, controller), &scenario.scenario)
+        .map_err(|error| StudyProblem::Response { scenario: scenario.name.clone(), error })?;
+    let mut row = Row {
         controller: name.to_owned(),
-        percent_of_best: PercentOfBest::of(&response.metrics, &bounds),
+        percent_of_best: PercentOfBest::default(),
         metrics: response.metrics,
-        bounds,
+        bounds: Bounds::of(process, &scenario.scenario),
         end: End {
             controlled_variable: finite(response.final_controlled_variable),
             manipulated_variable: finite(response.final_manipulated_variable),
         },
+        sampled: None,
         overflow_at_s: response.overflow_at.map(|time| time.0),
         warnings: response.warnings,
-    })
+    };
+    if !scenario.load_ramps.is_empty() {
+        // The continuous run knows nothing of the ramps: its numbers would be those of another scenario.
+        (row.metrics, row.end, row.overflow_at_s) = (Metrics::default(), End::default(), None);
+        row.bounds = Bounds::default();
+        row.warnings = vec!["continuous loops are not simulated under load ramps".to_owned()];
+    }
+    row.percent_of_best = PercentOfBest::of(&row.metrics, &row.bounds);
+    match sampled::run(study, controller, scenario) {
+        Ok(sampled) => row.sampled = sampled,
+        Err(reason) => row.warnings.push(reason),
+    }
+    Ok(row)
+}
+
+impl Row {
+    /// The metrics of this row with the name of their loop: the continuous one where it was run, then the sampled one.
+    pub fn lines(&self) -> impl Iterator<Item = (String, &Metrics)> {
+        let continuous = (self.metrics != Metrics::default() || self.sampled.is_none())
+            .then(|| (self.controller.clone(), &self.metrics));
+        let sampled =
+            self.sampled.as_ref().map(|run| (format!("{}, sampled", self.controller), &run.metrics));
+        continuous.into_iter().chain(sampled)
+    }
 }
 
 /// The value, where it is one.
-fn finite(value: f64) -> Option<f64> {
+pub(super) fn finite(value: f64) -> Option<f64> {
     value.is_finite().then_some(value)
 }
 
@@ -396,10 +438,7 @@ fn run_family(study: &Study, family: &Family) -> Result<FamilyResult, StudyError
         let given = StudyController { name, about: None, choice, scenarios: None, line: family.line };
         let controller = result_of(&study.process, &given).map_err(at)?;
         let row = match (&controller.chosen, scenario) {
-            (Some(chosen), Some(scenario)) => {
-                let row = run(&study.process, &given.name, chosen, &scenario.name, &scenario.scenario);
-                Some(row.map_err(at)?)
-            }
+            (Some(chosen), Some(scenario)) => Some(run(study, &given.name, chosen, scenario).map_err(at)?),
             _ => None,
         };
         members.push(Member { value, controller, run: row });

@@ -7,6 +7,25 @@
 use super::characteristic::Characteristic;
 use super::polynomial::Polynomial;
 
+/// What is known of |L| on a whole band of frequencies.
+pub(super) trait Modulus {
+    /// Whether `|L| < bound` is proven on [from, to].
+    fn gain_is_below(&self, bound: f64, from: f64, to: f64) -> bool;
+    /// Whether `|L| > 1` is proven on [from, to].
+    fn gain_is_above_one(&self, from: f64, to: f64) -> bool;
+}
+
+impl Modulus for Envelope {
+    fn gain_is_below(&self, bound: f64, from: f64, to: f64) -> bool {
+        bound > 0.0 && self.outweighs(0, bound, from, to)
+    }
+
+    fn gain_is_above_one(&self, from: f64, to: f64) -> bool {
+        let heaviest = self.heaviest(if to.is_finite() { f64::midpoint(from, to) } else { from });
+        !self.parts[heaviest].of_denominator && self.outweighs(heaviest, 1.0, from, to)
+    }
+}
+
 /// |pₖ(jω)|², in x = ω², for every term of N and D.
 #[derive(Debug, Clone)]
 pub(super) struct Envelope {
@@ -25,17 +44,6 @@ impl Envelope {
         let denominator = characteristic.denominator.terms().iter().map(|(_, p)| part(p, true));
         let numerator = characteristic.numerator.terms().iter().map(|(_, p)| part(p, false));
         Self { parts: denominator.chain(numerator).collect() }
-    }
-
-    /// Whether `|L| < bound` is proven on [from, to].
-    pub(super) fn gain_is_below(&self, bound: f64, from: f64, to: f64) -> bool {
-        bound > 0.0 && self.outweighs(0, bound, from, to)
-    }
-
-    /// Whether `|L| > 1` is proven on [from, to].
-    pub(super) fn gain_is_above_one(&self, from: f64, to: f64) -> bool {
-        let heaviest = self.heaviest(if to.is_finite() { f64::midpoint(from, to) } else { from });
-        !self.parts[heaviest].of_denominator && self.outweighs(heaviest, 1.0, from, to)
     }
 
     /// The term of largest modulus at this frequency; terms of D come first, then those of N.

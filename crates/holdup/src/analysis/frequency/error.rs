@@ -22,4 +22,12 @@ pub enum FrequencyError {
         /// Number of delayed signals.
         channels: usize,
     },
+    /// A sampled loop has more samples in a dead time than it is analysed for.
+    #[error("the dead time has {samples:.0} samples: the frequency analysis of a sampled loop takes {most}")]
+    TooManySamples {
+        /// Samples in the dead time.
+        samples: f64,
+        /// How many it may have.
+        most: u32,
+    },
 }

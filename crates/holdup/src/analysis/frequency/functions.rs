@@ -16,9 +16,8 @@ pub(super) struct Functions {
     /// D/sᵏ: the sign of L near ω = 0 is then that of a function that does not vanish there.
     reduced: QuasiPolynomial,
     order_at_zero: usize,
-    pub(super) longest_delay: f64,
-    /// Longest minus shortest delay of N: how fast |N| may oscillate.
-    pub(super) spread: f64,
+    longest_delay: f64,
+    spread: f64,
 }
 
 /// Everything at one frequency: jets in ω.
@@ -30,7 +29,7 @@ pub(super) struct Point {
     /// D.
     pub(super) denominator: Jet,
     /// N.
-    delayed: Jet,
+    pub(super) delayed: Jet,
     /// Δ = N + D.
     pub(super) closed: Jet,
 }
@@ -44,6 +43,76 @@ pub(super) struct Bounds {
     cross: [f64; 4],
     /// Of N itself.
     delayed: [f64; 4],
+}
+
+/// N, D and Δ = N + D of a loop along the curve on which its stability is judged: the imaginary axis, s = jω, or for a
+/// sampled loop the unit circle, z = e^(jω). ω counts radians per dead time or per sample.
+pub(super) trait Curve {
+    /// Jet of N with its shortest delay taken out.
+    fn numerator(&self, omega: f64) -> Jet;
+    /// Jet of D.
+    fn denominator(&self, omega: f64) -> Jet;
+    /// Jet of a positive multiple of D·(−j)ᵏ, k its zeros at ω = 0, that does not vanish there.
+    fn reduced(&self, omega: f64) -> Jet;
+    /// Bounds of the modulus of N and of its first three derivatives, up to this frequency.
+    fn numerator_bounds(&self, omega: f64) -> [f64; 4];
+    /// The same of D.
+    fn denominator_bounds(&self, omega: f64) -> [f64; 4];
+    /// The same of the reduced D.
+    fn reduced_bounds(&self, omega: f64) -> [f64; 4];
+    /// The delay that is taken out of N.
+    fn shortest_delay(&self) -> f64;
+    /// The longest delay of Δ: how fast it turns.
+    fn longest_delay(&self) -> f64;
+    /// Longest minus shortest delay of N: how fast |N| may oscillate.
+    fn spread(&self) -> f64;
+
+    /// Everything at one frequency.
+    fn at(&self, omega: f64) -> Point {
+        let numerator = self.numerator(omega);
+        let denominator = self.denominator(omega);
+        let delayed = rotated(numerator, self.shortest_delay(), omega);
+        let closed = std::array::from_fn(|i| delayed[i] + denominator[i]);
+        Point { omega, numerator, denominator, delayed, closed }
+    }
+
+    /// L·|D|²/ωᵏ alone, up to a positive factor.
+    fn direction(&self, omega: f64) -> Jet {
+        product(rotated(self.numerator(omega), self.shortest_delay(), omega), self.reduced(omega))
+    }
+
+    /// The same at a point already evaluated.
+    fn direction_at(&self, point: &Point) -> Jet {
+        product(point.delayed, self.reduced(point.omega))
+    }
+
+    /// For the direction up to the frequency `omega`: the bound of its third derivative and its rounding error.
+    fn direction_bounds(&self, bounds: &Bounds, omega: f64) -> (f64, f64) {
+        let direction = product_bounds(&bounds.delayed, &self.reduced_bounds(omega));
+        (direction[3], ROUNDING * direction[0])
+    }
+
+    /// |L|.
+    fn gain(&self, omega: f64) -> f64 {
+        (self.numerator(omega)[0].norm_sqr() / self.denominator(omega)[0].norm_sqr()).sqrt()
+    }
+
+    /// |N|² − |D|², positive where |L| > 1, with its bound of the third derivative and its rounding error up to
+    /// the frequency `end`.
+    fn gain_excess(&self, omega: f64, end: f64) -> (Quadratic, f64, f64) {
+        let (n, d) = (self.numerator(omega), self.denominator(omega));
+        let n_bounds = squared_bounds(&self.numerator_bounds(end));
+        let d_bounds = squared_bounds(&self.denominator_bounds(end));
+        (difference(squared(&n), squared(&d)), n_bounds.0 + d_bounds.0, n_bounds.1 + d_bounds.1)
+    }
+
+    /// The bounds up to this frequency.
+    fn bounds(&self, omega: f64) -> Bounds {
+        let (numerator, denominator) = (self.numerator_bounds(omega), self.denominator_bounds(omega));
+        let delayed = rotated_bounds(&numerator, self.shortest_delay());
+        let cross = product_bounds(&delayed, &denominator);
+        Bounds { numerator, denominator, cross, delayed }
+    }
 }
 
 impl Functions {
@@ -60,67 +129,56 @@ impl Functions {
             longest_delay: characteristic.closed.longest_delay(),
         }
     }
+}
 
-    pub(super) fn at(&self, omega: f64) -> Point {
-        let numerator = self.numerator.on_axis(omega);
-        let denominator = self.denominator.on_axis(omega);
-        let delayed = rotated(numerator, self.shortest_delay, omega);
-        let closed = std::array::from_fn(|i| delayed[i] + denominator[i]);
-        Point { omega, numerator, denominator, delayed, closed }
+impl Curve for Functions {
+    fn numerator(&self, omega: f64) -> Jet {
+        self.numerator.on_axis(omega)
     }
 
-    /// L·|D|²/ωᵏ alone.
-    pub(super) fn direction(&self, omega: f64) -> Jet {
-        self.turned(rotated(self.numerator.on_axis(omega), self.shortest_delay, omega), omega)
+    fn denominator(&self, omega: f64) -> Jet {
+        self.denominator.on_axis(omega)
     }
 
-    /// The same at a point already evaluated.
-    pub(super) fn direction_at(&self, point: &Point) -> Jet {
-        self.turned(point.delayed, point.omega)
-    }
-
-    /// For L·|D|²/ωᵏ up to the frequency `omega`: the bound of its third derivative and its rounding error.
-    pub(super) fn direction_bounds(&self, bounds: &Bounds, omega: f64) -> (f64, f64) {
-        let direction = product_bounds(&bounds.delayed, &self.reduced.magnitudes(omega));
-        (direction[3], ROUNDING * direction[0])
-    }
-
-    /// |L|.
-    pub(super) fn gain(&self, omega: f64) -> f64 {
-        let squared = |q: &QuasiPolynomial| q.on_axis(omega)[0].norm_sqr();
-        (squared(&self.numerator) / squared(&self.denominator)).sqrt()
-    }
-
-    /// |N|² − |D|², positive where |L| > 1, with its bound of the third derivative and its rounding error up to
-    /// the frequency `end`.
-    pub(super) fn gain_excess(&self, omega: f64, end: f64) -> (Quadratic, f64, f64) {
-        let (n, d) = (self.numerator.on_axis(omega), self.denominator.on_axis(omega));
-        let bounds = |q: &QuasiPolynomial| squared_bounds(&q.magnitudes(end));
-        let (n_bounds, d_bounds) = (bounds(&self.numerator), bounds(&self.denominator));
-        (difference(squared(&n), squared(&d)), n_bounds.0 + d_bounds.0, n_bounds.1 + d_bounds.1)
-    }
-
-    fn turned(&self, delayed: Jet, omega: f64) -> Jet {
+    fn reduced(&self, omega: f64) -> Jet {
+        // D/(jω)ᵏ·ωᵏ: what is turned back by jᵏ here turns N·conj(D) by (−j)ᵏ.
         let turn = |z: Complex<f64>| match self.order_at_zero % 4 {
             0 => z,
-            1 => Complex::new(z.im, -z.re),
+            1 => Complex::new(-z.im, z.re),
             2 => -z,
-            _ => Complex::new(-z.im, z.re),
+            _ => Complex::new(z.im, -z.re),
         };
-        // 1/(jω)ᵏ = (−j)ᵏ/ωᵏ, and 1/D̃ = conj D̃/|D̃|².
-        product(delayed, self.reduced.on_axis(omega)).map(turn)
+        self.reduced.on_axis(omega).map(turn)
     }
 
-    pub(super) fn bounds(&self, omega: f64) -> Bounds {
-        let numerator = self.numerator.magnitudes(omega);
-        let denominator = self.denominator.magnitudes(omega);
-        let t = self.shortest_delay;
-        let [n0, n1, n2, n3] = numerator;
-        let delayed =
-            [n0, n1 + t * n0, n2 + t * (2.0 * n1 + t * n0), n3 + t * (3.0 * n2 + t * (3.0 * n1 + t * n0))];
-        let cross = product_bounds(&delayed, &denominator);
-        Bounds { numerator, denominator, cross, delayed }
+    fn numerator_bounds(&self, omega: f64) -> [f64; 4] {
+        self.numerator.magnitudes(omega)
     }
+
+    fn denominator_bounds(&self, omega: f64) -> [f64; 4] {
+        self.denominator.magnitudes(omega)
+    }
+
+    fn reduced_bounds(&self, omega: f64) -> [f64; 4] {
+        self.reduced.magnitudes(omega)
+    }
+
+    fn shortest_delay(&self) -> f64 {
+        self.shortest_delay
+    }
+
+    fn longest_delay(&self) -> f64 {
+        self.longest_delay
+    }
+
+    fn spread(&self) -> f64 {
+        self.spread
+    }
+}
+
+/// Bounds of the derivatives of `p·e^(−jτω)` from those of p.
+pub(super) fn rotated_bounds(&[b0, b1, b2, b3]: &[f64; 4], t: f64) -> [f64; 4] {
+    [b0, b1 + t * b0, b2 + t * (2.0 * b1 + t * b0), b3 + t * (3.0 * b2 + t * (3.0 * b1 + t * b0))]
 }
 
 /// Jet of `a·conj(b)`.

@@ -7,7 +7,7 @@ use serde::ser::{Serialize, SerializeStruct, Serializer};
 use super::characteristic::Characteristic;
 use super::envelope::{Envelope, Steady};
 use super::error::FrequencyError;
-use super::functions::Functions;
+use super::functions::{Curve, Functions};
 use super::lifted::Lifted;
 use super::scan::{Findings, LISTED, Scan};
 use super::winding::{self, Uncounted};

@@ -14,6 +14,7 @@ mod poles;
 mod polynomial;
 mod quasi_polynomial;
 pub mod region;
+pub mod sampled;
 mod scan;
 mod series;
 mod taylor;

@@ -4,10 +4,10 @@
 //! zero there, or exactly one (which is then polished), or stays below the peak already found. Wide bands are
 //! settled by the [`Envelope`], narrow ones by Taylor polynomials with a bound of their rest.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
-use super::envelope::{Envelope, Steady};
-use super::functions::{Bounds, Functions, Peak, Point, imaginary, real};
+use super::envelope::{Modulus, Steady};
+use super::functions::{Bounds, Curve, Peak, Point, imaginary, real};
 use super::lifted::{Lifted, Question};
 use super::taylor::{Zeros, root, zeros};
 
@@ -61,10 +61,10 @@ pub(super) struct Findings {
     pub(super) work: usize,
 }
 
-pub(super) struct Scan<'a> {
-    functions: &'a Functions,
-    envelope: &'a Envelope,
-    steady: &'a Steady<'a>,
+pub(super) struct Scan<'a, C, M> {
+    functions: &'a C,
+    envelope: &'a M,
+    steady: Option<&'a Steady<'a>>,
     lifted: Option<&'a Lifted>,
     stable: bool,
     /// L does not vanish at infinite frequency.
@@ -72,10 +72,11 @@ pub(super) struct Scan<'a> {
     found: Findings,
 }
 
-impl<'a> Scan<'a> {
+impl<'a, C: Curve, M: Modulus> Scan<'a, C, M> {
+    /// A scan of the imaginary axis.
     pub(super) fn new(
-        functions: &'a Functions,
-        envelope: &'a Envelope,
+        functions: &'a C,
+        envelope: &'a M,
         steady: &'a Steady<'a>,
         lifted: Option<&'a Lifted>,
         limit: f64,
@@ -93,6 +94,7 @@ impl<'a> Scan<'a> {
             unfinished_from: None,
             work: 0,
         };
+        let steady = Some(steady);
         let mut scan = Self { functions, envelope, steady, lifted, stable, neutral: limit > 0.0, found };
         let origin = functions.at(0.0).peak_value(Peak::Complementary);
         if origin >= scan.found.complementary.value {
@@ -101,12 +103,65 @@ impl<'a> Scan<'a> {
         scan
     }
 
+    /// A scan of the upper half of the unit circle, from z = 1, where L has a pole, to z = −1.
+    pub(super) fn of_circle(functions: &'a C, envelope: &'a M, stable: bool) -> Self {
+        let nowhere = Highest { value: 0.0, omega: None };
+        let found = Findings {
+            gain_crossovers: Vec::new(),
+            phase_crossovers: Vec::with_capacity(LISTED),
+            below_one: 0.0,
+            above_one: None,
+            sensitivity: nowhere,
+            complementary: nowhere,
+            unfinished_from: None,
+            work: 0,
+        };
+        Self { functions, envelope, steady: None, lifted: None, stable, neutral: false, found }
+    }
+
+    /// Runs the search round the half circle.
+    pub(super) fn run_round(mut self) -> Findings {
+        // Peaks may lie at either end, where every function is even.
+        for omega in [0.0, PI] {
+            let point = self.functions.at(omega);
+            for peak in [Peak::Sensitivity, Peak::Complementary] {
+                let value = point.peak_value(peak);
+                if value > self.highest(peak).value {
+                    *self.highest(peak) = Highest { value, omega: Some(omega) };
+                }
+            }
+        }
+        let open = Open { gain: true, phase: true, sensitivity: self.stable, complementary: self.stable };
+        let (mut from, mut to) = (0.0, 1.0);
+        while from < PI {
+            self.band(from, to, open);
+            if self.found.work > WORK {
+                self.found.unfinished_from = Some(from);
+                break;
+            }
+            from = to;
+            to = (2.0 * to).min(PI);
+        }
+        if self.functions.direction(PI)[0].re < 0.0 {
+            self.phase_crossover(PI);
+        }
+        self.polish_peaks();
+        for peak in [Peak::Sensitivity, Peak::Complementary] {
+            let highest = self.highest(peak);
+            // Uphill may have led over the end.
+            highest.omega = highest.omega.map(|omega| if omega > PI { TAU - omega } else { omega });
+        }
+        self.found
+    }
+
     /// Runs the search from ω = 0 until nothing is open up to infinity.
     pub(super) fn run(mut self) -> Findings {
         let (mut from, mut to) = (0.0, 1.0);
         loop {
             let all = Open { gain: true, phase: true, sensitivity: self.stable, complementary: self.stable };
-            if self.found.phase_crossovers.len() < LISTED && self.steady.beyond(from) {
+            if self.found.phase_crossovers.len() < LISTED
+                && self.steady.is_some_and(|steady| steady.beyond(from))
+            {
                 self.list_steady_crossovers(from);
             }
             let open = self.open_by_envelope(all, from, f64::INFINITY);
@@ -208,13 +263,13 @@ impl<'a> Scan<'a> {
                 return;
             }
             let (middle, radius) = (f64::midpoint(a, b), 0.5 * (b - a));
-            let wide = radius * self.functions.longest_delay > 1.0;
+            let wide = radius * self.functions.longest_delay() > 1.0;
             let listed = self.found.phase_crossovers.len() >= LISTED;
             let mut open = open;
             if wide || listed {
                 open = self.open_by_envelope(open, a, b);
             }
-            if open.gain && radius * self.functions.spread <= 1.0 {
+            if open.gain && radius * self.functions.spread() <= 1.0 {
                 open.gain = !self.gain_settled(a, b);
             }
             if !wide && open.any() {

@@ -10,7 +10,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use num_complex::Complex;
 
 use super::characteristic::Characteristic;
-use super::envelope::Envelope;
+use super::envelope::{Envelope, Modulus};
 use super::polynomial::Polynomial;
 use super::taylor::Quadratic;
 
@@ -115,7 +115,7 @@ fn turn(
 }
 
 /// Whether a function of this jet at the middle and these derivative bounds stays in an open half plane.
-fn in_half_plane(jet: [Complex<f64>; 3], bounds: [f64; 4], radius: f64) -> bool {
+pub(super) fn in_half_plane(jet: [Complex<f64>; 3], bounds: [f64; 4], radius: f64) -> bool {
     let direction = jet[0].conj() / jet[0].norm();
     let [f, df, ddf] = jet.map(|z| (z * direction).re);
     let rest = bounds[3] * radius.powi(3) / 6.0 + 4.0 * f64::EPSILON * bounds[0];

@@ -16,6 +16,7 @@ mod lag;
 mod legendre;
 mod measure;
 mod roots;
+pub mod sampled;
 mod scenario;
 mod solver;
 mod system;

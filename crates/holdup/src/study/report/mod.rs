@@ -12,6 +12,7 @@ use super::published::Reproduction;
 use super::{ControllerResult, StudyResult};
 use crate::analysis::frequency::{FrequencyError, loop_without_observer, margins, observer_loop};
 use crate::analysis::response::ResponseError;
+use crate::analysis::response::sampled::SampledError;
 use crate::model::{ClosedLoop, Controller, ModelError, Process};
 
 /// Why a report could not be composed.
@@ -29,6 +30,9 @@ pub enum ReportError {
     /// A loop cannot be simulated.
     #[error(transparent)]
     Response(#[from] ResponseError),
+    /// A sampled loop cannot be simulated.
+    #[error(transparent)]
+    Sampled(#[from] SampledError),
     /// An observer cannot stand alone.
     #[error(transparent)]
     Model(#[from] ModelError),
@@ -49,12 +53,16 @@ pub fn report(
     }
     page = page.with_section(controllers(result)?);
     for scenario in &result.scenarios {
-        let curves = curves_of(process, result, |name| scenario.rows.iter().any(|r| r.controller == name));
+        let drawn =
+            |name: &str| !scenario.sampled.alone() && scenario.rows.iter().any(|row| row.controller == name);
+        let curves = curves_of(process, result, drawn);
         let mut section = Section::new(scenario.name.clone());
         if let Some(about) = &scenario.about {
             section = section.with_paragraph(about.clone());
         }
-        section = section.with_figure(plots::response(&scenario.name, &scenario.scenario, &curves)?);
+        let sampled = scenario.sampled.trajectories(&scenario.scenario, plots::POINTS)?;
+        let figure = plots::response_with(&scenario.name, &scenario.scenario, &curves, sampled)?;
+        section = section.with_figure(figure);
         if !scenario.load.is_empty() {
             let title = format!("{}: load and its estimate", scenario.name);
             if let Some(figure) = plots::load_estimate(&title, &scenario.scenario, &curves)? {
@@ -120,8 +128,15 @@ fn findings(reproduction: &Reproduction) -> Section {
 }
 
 fn controllers(result: &StudyResult) -> Result<Section, ReportError> {
-    let achieved: Vec<_> =
-        result.controllers.iter().filter_map(|c| Some((c.name.clone(), c.achieved.as_ref()?))).collect();
+    let of = |c: &'_ ControllerResult| c.name.clone();
+    let achieved: Vec<_> = result
+        .controllers
+        .iter()
+        .flat_map(|c| {
+            let sampled = c.achieved_sampled.iter().map(|margins| (format!("{}, sampled", of(c)), margins));
+            c.achieved.iter().map(|margins| (of(c), margins)).chain(sampled)
+        })
+        .collect();
     let mut section = Section::new("Controllers")
         .with_table(tables::settings(&result.controllers)?)
         .with_table(tables::margins("Achieved, loop broken at the process input", &achieved)?);

@@ -7,7 +7,7 @@ use crate::model::ClosedLoop;
 use crate::study::figures::{Axis, Figure, Line, Mark, Panel, Reference, Series, Tone};
 
 /// Points of a drawn response; the breakpoints come on top.
-const POINTS: usize = 900;
+pub(super) const POINTS: usize = 900;
 
 /// A loop with the name it has in the legend.
 #[derive(Debug, Clone)]
@@ -23,7 +23,21 @@ pub struct Curve {
 /// # Errors
 /// [`ReportError`] if a loop cannot be simulated or a value cannot be drawn.
 pub fn response(title: &str, scenario: &Scenario, curves: &[Curve]) -> Result<Figure, ReportError> {
-    let runs = runs(scenario, curves)?;
+    response_with(title, scenario, curves, Vec::new())
+}
+
+/// The same with other runs of the scenario, by name.
+///
+/// # Errors
+/// As [`response`].
+pub fn response_with(
+    title: &str,
+    scenario: &Scenario,
+    curves: &[Curve],
+    others: Vec<(String, Trajectory)>,
+) -> Result<Figure, ReportError> {
+    let mut runs = runs(scenario, curves)?;
+    runs.extend(others);
     let mut y = Panel::new(Axis::linear("time [s]"), Axis::linear("controlled variable y"));
     let mut inputs = Vec::new();
     if let Some((_, first)) = runs.first() {

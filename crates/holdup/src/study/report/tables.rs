@@ -2,7 +2,7 @@
 
 use super::ReportError;
 use crate::analysis::frequency::Margins;
-use crate::analysis::metrics::{METRICS, Metric};
+use crate::analysis::metrics::{METRICS, Metric, Metrics};
 use crate::model::{Radians, Seconds};
 use crate::study::figures::page::{Column, Table};
 use crate::study::published::{Cell, Reproduction};
@@ -147,14 +147,15 @@ pub(super) fn specified(study: &StudyResult) -> Result<Option<Table>, ReportErro
 
 /// Metrics of every controller on a scenario, those that the scenario has.
 pub(super) fn metrics(scenario: &ScenarioResult) -> Result<Table, ReportError> {
-    let has = |metric: &&Metric| scenario.rows.iter().any(|row| (metric.value)(&row.metrics).is_some());
+    let lines: Vec<(String, &Metrics)> = scenario.rows.iter().flat_map(Row::lines).collect();
+    let has = |metric: &&Metric| lines.iter().any(|(_, metrics)| (metric.value)(metrics).is_some());
     let used: Vec<&Metric> = METRICS.iter().filter(has).collect();
     let columns: Vec<String> = used.iter().map(|m| heading(m.name, m.unit)).collect();
-    let row = |row: &Row| {
-        let values = used.iter().map(|m| number((m.value)(&row.metrics)));
-        std::iter::once(row.controller.clone()).chain(values).collect()
+    let row = |(name, metrics): &(String, &Metrics)| {
+        let values = used.iter().map(|m| number((m.value)(metrics)));
+        std::iter::once(name.clone()).chain(values).collect()
     };
-    table(&scenario.name, &["controller"], &columns, scenario.rows.iter().map(row).collect())
+    table(&scenario.name, &["controller"], &columns, lines.iter().map(row).collect())
 }
 
 /// How near every controller comes to the best possible; `None` where no bound is known.

@@ -130,7 +130,7 @@ pub fn averaging(process: &Process, demand: &Demand) -> Result<Averaging, LevelE
     };
     let (load, excursion) =
         (positive("the load step", demand.load_step)?, positive("the excursion", demand.excursion)?);
-    if !(demand.sensitivity_peak > 1.0) {
+    if demand.sensitivity_peak.is_nan() || demand.sensitivity_peak <= 1.0 {
         let (name, value) = ("the sensitivity peak", demand.sensitivity_peak);
         return Err(LevelError::Range { name, value, allowed: "a number greater than 1" });
     }

@@ -94,8 +94,8 @@ impl Objective {
         let process = &design.process;
         let over = |input: Input| integrals(process, controller, input);
         match self {
-            Self::LoadIae => over(Input::Load)?.iae,
-            Self::SetpointIae => over(Input::Setpoint)?.iae,
+            Self::LoadIae | Self::Extreme(Quantity::LoadIae) => over(Input::Load)?.iae,
+            Self::SetpointIae | Self::Extreme(Quantity::SetpointIae) => over(Input::Setpoint)?.iae,
             Self::LoadIse => over(Input::Load)?.ise,
             Self::SetpointIse => over(Input::Setpoint)?.ise,
             Self::ControlEnergy => over(Input::Setpoint)?.control_energy,
@@ -113,8 +113,6 @@ impl Objective {
                 let largest = largest_family(process, controller, &family, sensitivity_peak).ok()??;
                 Some(1.0 / largest.size)
             }
-            Self::Extreme(Quantity::LoadIae) => over(Input::Load)?.iae,
-            Self::Extreme(Quantity::SetpointIae) => over(Input::Setpoint)?.iae,
             Self::Extreme(quantity) => {
                 let achieved = margins(&ClosedLoop::new(process, controller)).ok()?;
                 let value = quantity.of(controller, &achieved).filter(|value| value.is_finite())?;

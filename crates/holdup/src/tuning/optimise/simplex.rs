@@ -19,11 +19,12 @@ pub(super) fn minimise(
     for _ in 0..SEARCHES {
         let found = search(&best.0, size, finest, value);
         let gained = best.1 - found.1;
-        let done = !(gained > GAIN * found.1.abs());
+        // Where nothing finite is found, nothing is gained.
+        let goes_on = gained > GAIN * found.1.abs();
         if found.1 < best.1 {
             best = found;
         }
-        if done {
+        if !goes_on {
             break;
         }
         size *= 0.3;

@@ -48,12 +48,12 @@ pub fn trade_off(
             let (end, _) = minimise(start, 0.03, 1e-6, &value);
             best = gains.best(&end).map(|candidate| (end, candidate));
         }
-        if best.is_none() || index == peaks.len() / 2 || index + 1 == peaks.len() {
-            if let Some(found) = find(&design, objective, &limits) {
-                if best.as_ref().is_none_or(|(_, known)| found.best.value < known.value) {
-                    best = Some((found.parts, found.best));
-                }
-            }
+        let from_scratch = best.is_none() || index == peaks.len() / 2 || index + 1 == peaks.len();
+        let found = if from_scratch { find(&design, objective, &limits) } else { None };
+        if let Some(found) = found
+            && best.as_ref().is_none_or(|(_, known)| found.best.value < known.value)
+        {
+            best = Some((found.parts, found.best));
         }
         let Some((end, candidate)) = best.filter(|(_, candidate)| candidate.value < OUTSIDE) else {
             continue;

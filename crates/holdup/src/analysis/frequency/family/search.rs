@@ -3,7 +3,7 @@
 use super::sector::Sector;
 use super::shape::Family;
 use crate::analysis::frequency::characteristic::Characteristic;
-use crate::analysis::frequency::envelope::Envelope;
+use crate::analysis::frequency::envelope::{Envelope, Modulus as _};
 use crate::analysis::frequency::error::FrequencyError;
 use crate::analysis::frequency::margins;
 use crate::analysis::frequency::quasi_polynomial::{Jet, QuasiPolynomial};

@@ -1,7 +1,7 @@
 //! Tests of the bounds over wide bands.
 
 use super::super::envelope::{Envelope, Steady};
-use super::super::functions::Functions;
+use super::super::functions::{Curve, Functions};
 use super::super::scan::{Findings, Scan};
 use super::*;
 use crate::model::{ClosedLoop, Controller, Observer, Process, Seconds};
