@@ -149,7 +149,9 @@ impl MonteCarlo<'_> {
             let runs: Result<Vec<Run>, MonteCarloError> =
                 (done..end).into_par_iter().map(|index| self.one(&controller, index)).collect();
             let runs = runs?;
-            runs.iter().for_each(|run| count.add(run, self.scenario.is_some()));
+            for run in &runs {
+                count.add(run, self.scenario.is_some());
+            }
             done = end;
             if each(&runs).is_break() {
                 break;
@@ -201,12 +203,16 @@ impl Count {
         }
         self.stable += 1;
         for (column, quantiles) in COLUMNS.iter().zip(&mut self.columns) {
-            (column.value)(run).into_iter().for_each(|value| quantiles.add(value));
+            if let Some(value) = (column.value)(run) {
+                quantiles.add(value);
+            }
         }
         match &run.metrics {
             Some(metrics) => {
                 for (metric, quantiles) in METRICS.iter().zip(&mut self.metrics) {
-                    (metric.value)(metrics).into_iter().for_each(|value| quantiles.add(value));
+                    if let Some(value) = (metric.value)(metrics) {
+                        quantiles.add(value);
+                    }
                 }
             }
             None => self.without_response += u64::from(with_scenario),

@@ -93,7 +93,9 @@ mod tests {
         let mut sorted = values.clone();
         sorted.sort_by(f64::total_cmp);
         let mut quantiles = Quantiles::default();
-        values.iter().for_each(|value| quantiles.add(*value));
+        for value in &values {
+            quantiles.add(*value);
+        }
         for (share, index) in [(0.0, 0), (0.05, 500), (0.25, 2500), (0.5, 5000), (0.95, 9500), (1.0, 10_000)]
         {
             let (found, exact) = (quantiles.at(share).unwrap(), sorted[index]);
