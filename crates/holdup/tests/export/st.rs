@@ -74,7 +74,7 @@ fn structured_text_agrees_bit_for_bit() {
     println!(
         "Structured Text, LREAL and REAL: {} exported controllers and {} random ones, {} updates: 0 bits differ",
         sources.len(),
-        sources.len() * RANDOM,
+        all.loops - sources.len(),
         all.updates
     );
 }
