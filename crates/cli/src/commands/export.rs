@@ -44,7 +44,7 @@ pub(crate) fn run(args: &ExportArgs, console: Console) -> Result<Answer, Fault> 
 fn language(id: &str) -> Result<&'static Language, Fault> {
     holdup::deploy::export::language(id).ok_or_else(|| {
         let known = LANGUAGES.map(|language| language.id);
-        let near = nearest(id, known.into_iter()).map(|near| format!(": did you mean '{near}'?"));
+        let near = nearest(id, known).map(|near| format!(": did you mean '{near}'?"));
         let allowed = known.join(", ");
         Fault::option("--language", format!("'{id}'{} must be one of {allowed}", near.unwrap_or_default()))
     })

@@ -89,7 +89,8 @@ fn rust_library(folder: &Path, real: &str, bits: &str) {
     let control = Path::new(env!("CARGO_MANIFEST_DIR")).join("../control");
     let manifest = format!(
         "[package]\nname = \"firmware\"\nversion = \"0.0.0\"\nedition = \"2024\"\n[lib]\ncrate-type = [\"staticlib\"]\n\
-         [dependencies]\nholdup-control = {{ path = {control:?} }}\n[profile.release]\npanic = \"abort\"\n[workspace]\n"
+         [dependencies]\nholdup-control = {{ path = \"{}\" }}\n[profile.release]\npanic = \"abort\"\n[workspace]\n",
+        control.display()
     );
     std::fs::create_dir_all(folder.join("src")).unwrap();
     std::fs::write(folder.join("Cargo.toml"), manifest).unwrap();

@@ -180,7 +180,9 @@ pub(crate) struct Trace {
     pub(crate) switched_on_only: bool,
     pub(crate) told: String,
     pub(crate) expected: String,
-    /// Updates in it.
+    /// Loops that ran: some random ones are refused because the delay line is too short for them, which is an answer.
+    pub(crate) loops: usize,
+    /// Updates in them.
     pub(crate) updates: usize,
     /// How often each status was answered.
     pub(crate) statuses: [usize; 7],
@@ -226,6 +228,7 @@ impl Trace {
         self.told += &told;
         self.expected += if state.is_ok() { "1\n" } else { "0\n" };
         let Ok(state) = &mut state else { return };
+        self.loops += 1;
         let mut plant = Plant::new(scale);
         for update in 0..updates {
             if !others.is_empty() && update % 150 == 149 {

@@ -1,5 +1,7 @@
 //! Why a controller cannot be exported.
 
+use std::fmt::Display;
+
 use holdup_control::SettingError;
 use thiserror::Error;
 
@@ -28,8 +30,8 @@ pub enum ExportError {
 }
 
 impl ExportError {
-    pub(super) fn out_of_range(name: &'static str, value: impl ToString, allowed: impl ToString) -> Self {
-        Self::OutOfRange { name, value: value.to_string(), allowed: allowed.to_string() }
+    pub(super) fn out_of_range(name: &'static str, value: impl Display, allowed: impl Into<String>) -> Self {
+        Self::OutOfRange { name, value: format!("{value}"), allowed: allowed.into() }
     }
 }
 

@@ -152,21 +152,18 @@ fn pou(unit: &Unit) -> String {
     let pou_type = if unit.kind == Kind::Function { "function" } else { "functionBlock" };
     let result =
         unit.result.map_or(String::new(), |of| format!("<returnType>{}</returnType>\n", type_element(of)));
-    let lists: String = unit
-        .lists
-        .iter()
-        .map(|(keyword, list)| {
-            let (element, attribute) = match *keyword {
-                "VAR_INPUT" => ("inputVars", ""),
-                "VAR_OUTPUT" => ("outputVars", ""),
-                "VAR_IN_OUT" => ("inOutVars", ""),
-                "VAR CONSTANT" => ("localVars", " constant=\"true\""),
-                _ => ("localVars", ""),
-            };
-            let variables: String = list.iter().map(variable_element).collect();
-            format!("<{element}{attribute}>\n{variables}</{element}>\n")
-        })
-        .collect();
+    let mut lists = String::new();
+    for (keyword, list) in &unit.lists {
+        let (element, attribute) = match *keyword {
+            "VAR_INPUT" => ("inputVars", ""),
+            "VAR_OUTPUT" => ("outputVars", ""),
+            "VAR_IN_OUT" => ("inOutVars", ""),
+            "VAR CONSTANT" => ("localVars", " constant=\"true\""),
+            _ => ("localVars", ""),
+        };
+        let variables: String = list.iter().map(variable_element).collect();
+        lists += &format!("<{element}{attribute}>\n{variables}</{element}>\n");
+    }
     format!(
         "<pou name=\"{}\" pouType=\"{pou_type}\">\n<interface>\n{result}{lists}</interface>\n\
          <body><ST><xhtml xmlns=\"http://www.w3.org/1999/xhtml\">{}\n</xhtml></ST></body>\n{}</pou>\n",

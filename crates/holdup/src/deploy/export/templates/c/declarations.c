@@ -178,12 +178,12 @@ typedef enum { @NAME@_FREE, @NAME@_AT_LOW, @NAME@_AT_HIGH, @NAME@_AT_RATE } @nam
 
 typedef enum {
     @NAME@_GOOD,
-    @NAME@_INPUT_REJECTED,         /* setpoint, feed-forward, applied or manual output not finite: the last one stands */
+    @NAME@_INPUT_REJECTED,         /* setpoint, feed-forward, applied or manual output: the last one stands */
     @NAME@_SETTINGS_REJECTED,      /* refused, or too few segments for the new dead time: the old ones run on */
     @NAME@_SAMPLE_PERIOD_REJECTED, /* not finite or not above 0: nothing moved, the output is held */
     @NAME@_MEASUREMENT_REJECTED,   /* not finite or out of its range: automatic holds the output */
-    @NAME@_MEASUREMENT_STALE,      /* none for longer than the stale time, or none yet: automatic holds the output */
-    @NAME@_MEASUREMENT_FAILED      /* none for longer than the failure time: automatic takes the safe output */
+    @NAME@_MEASUREMENT_STALE,      /* none for the stale time, or none yet: automatic holds the output */
+    @NAME@_MEASUREMENT_FAILED      /* none for the failure time: automatic takes the safe output */
 } @name@_status;
 
 /* What the controller is told at one update. */
@@ -210,11 +210,14 @@ typedef struct {
 
 extern const @name@_settings @name@_design;
 const char *@name@_fault(const @name@_settings *settings);
-bool @name@_switch_on(@name@_state *state, const @name@_settings *settings, @real@ manipulated_variable);
-bool @name@_at_rest(@name@_state *state, const @name@_settings *settings, @real@ setpoint,
-                    @real@ controlled_variable, @real@ manipulated_variable);
+bool @name@_switch_on(
+    @name@_state *state, const @name@_settings *settings, @real@ manipulated_variable);
+bool @name@_at_rest(
+    @name@_state *state, const @name@_settings *settings, @real@ setpoint, @real@ controlled_variable,
+    @real@ manipulated_variable);
 @name@_input @name@_automatic(@real@ sample_period, @real@ setpoint, @real@ controlled_variable);
-@name@_output @name@_update(@name@_state *state, const @name@_settings *settings, const @name@_input *input);
+@name@_output @name@_update(
+    @name@_state *state, const @name@_settings *settings, const @name@_input *input);
 
 #ifdef __cplusplus
 }

@@ -53,7 +53,8 @@ static @real@ limits_within(const @name@_limits *limits, @real@ wanted, @name@_l
 
 /* The output nearest to the wanted one that may follow the last one after h [s]. Where a new output limit is beyond
    the rate's reach, the output limit wins. */
-static @real@ limits_apply(const @name@_limits *limits, @real@ wanted, @real@ last, @real@ h, @name@_limited *limited)
+static @real@ limits_apply(
+    const @name@_limits *limits, @real@ wanted, @real@ last, @real@ h, @name@_limited *limited)
 {
     @real@ reachable = wanted;
     *limited = @NAME@_FREE;

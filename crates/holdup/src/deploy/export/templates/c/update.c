@@ -26,7 +26,8 @@ static void adopt(@name@_state *state, const @name@_law *law)
 /* A controller that is switched on at this manipulated variable: its first automatic output is that one, whatever the
    measurement. False, and the state is not to be used, where the output is not finite, the settings have a fault or
    the delay line is too short for them. */
-bool @name@_switch_on(@name@_state *state, const @name@_settings *settings, @real@ manipulated_variable)
+bool @name@_switch_on(
+    @name@_state *state, const @name@_settings *settings, @real@ manipulated_variable)
 {
     static const @name@_state new_state;
     @name@_limited limited = @NAME@_FREE;
@@ -50,8 +51,9 @@ bool @name@_switch_on(@name@_state *state, const @name@_settings *settings, @rea
 
 /* A controller that has long been in automatic at this setpoint, controlled and manipulated variable: it answers the
    next change of any of them at once. False as above. */
-bool @name@_at_rest(@name@_state *state, const @name@_settings *settings, @real@ setpoint,
-                    @real@ controlled_variable, @real@ manipulated_variable)
+bool @name@_at_rest(
+    @name@_state *state, const @name@_settings *settings, @real@ setpoint, @real@ controlled_variable,
+    @real@ manipulated_variable)
 {
     if (!is_finite(setpoint) || !is_finite(controlled_variable)
         || !@name@_switch_on(state, settings, manipulated_variable)) {
@@ -123,7 +125,8 @@ static @name@_status take(@name@_state *state, const @name@_input *input)
 }
 
 /* The update without a measurement to go by: the law stands still, and starts again without bump. */
-static @name@_output without_measurement(@name@_state *state, const @name@_input *input, @name@_status status)
+static @name@_output without_measurement(
+    @name@_state *state, const @name@_input *input, @name@_status status)
 {
     @real@ target = operator_output(state, input);
     @name@_limited limited = @NAME@_FREE;
@@ -146,7 +149,8 @@ static @name@_output without_measurement(@name@_state *state, const @name@_input
  * is their sum; the output is what the limits leave of it. The integral and the model learn what was applied at the
  * next update.
  */
-@name@_output @name@_update(@name@_state *state, const @name@_settings *settings, const @name@_input *input)
+@name@_output @name@_update(
+    @name@_state *state, const @name@_settings *settings, const @name@_input *input)
 {
     const @real@ h = input->sample_period;
     const bool settings_are_good = !@name@_fault(settings);
