@@ -58,6 +58,12 @@ fn held(values: &[f64], moves: &[f64], quantum: Option<f64>) -> Option<Compressi
     if share < 0.4 || usual < 4.0 * quantum.unwrap_or(0.0) {
         return None;
     }
+    // A signal that rests and then moves for a while moves in rows on end; an archive in single ones.
+    let steps: Vec<f64> = differences(values).collect();
+    let single = steps.windows(2).filter(|pair| pair[0] != 0.0 && pair[1] == 0.0).count();
+    if single * 2 < moves.len() {
+        return None;
+    }
     let rows_per_point = real(rows) / real(moves.len());
     let evidence = format!(
         "{:.0} % of the rows repeat the value before, and moves are usually {usual:.3e}, one every {rows_per_point:.1} rows",
