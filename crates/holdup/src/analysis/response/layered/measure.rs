@@ -3,6 +3,7 @@
 
 use super::super::legendre::{TERMS, ends, square_integral};
 use super::super::measure::{BANDS, Measure};
+use super::extrema::{Extrema, extrema};
 use super::segment::{Part, Segment, dot, layer_at, layer_slope_at};
 use super::signal::{Signal, sum_of_magnitudes};
 use super::tables::{INVERSE, TABLES};
@@ -48,7 +49,7 @@ impl Measure {
         let swing = sum_of_magnitudes(&e.smooth) - e.smooth[0].abs();
         let one_sign = e.smooth[0].abs() >= swing + layer;
         if segment.layers_end_inside() && (one_sign || segment.monotone(e)) {
-            let (total, moment) = integrals(segment, e, 1.0);
+            let (total, moment) = totals(segment, e);
             let (start, end) = if one_sign { (1.0, 1.0) } else { segment.ends(e) };
             if (start < 0.0) == (end < 0.0) {
                 self.iae += total.abs();
@@ -68,9 +69,14 @@ impl Measure {
 
     fn segment_variation(&mut self, segment: &Segment<'_>, outputs: &mut Parts<'_>) {
         let u = segment.manipulated;
-        if segment.monotone(u) {
-            let (start, end) = segment.ends(u);
-            self.variation += (start - self.last.1).abs() + (end - start).abs();
+        let (start, end) = segment.ends(u);
+        let extrema = if segment.monotone(u) { Some(Extrema::NONE) } else { extrema(segment, u, self.variation) };
+        if let Some(extrema) = extrema {
+            let mut before = self.last.1;
+            for &value in [start].iter().chain(extrema.values()).chain(&[end]) {
+                self.variation += (value - before).abs();
+                before = value;
+            }
             self.last.1 = end;
             return;
         }
@@ -187,31 +193,40 @@ fn layer_square(segment: &Segment<'_>, x: &Signal, so_far: f64) -> f64 {
     sum / segment.rate
 }
 
+/// `∫x dt` and `∫t·x dt` over the segment.
+fn totals(segment: &Segment<'_>, x: &Signal) -> (f64, f64) {
+    let half = 0.5 * segment.length;
+    let area = 2.0 * half * dot(&x.smooth, &TABLES.areas);
+    let about_middle = 2.0 * half * half * dot(&x.smooth, &TABLES.moments_about_middle);
+    with_layer(segment, x, f64::INFINITY, (area, (segment.start + half) * area + about_middle))
+}
+
 /// `∫x dt` and `∫t·x dt` from the start of the segment to `s`.
 fn integrals(segment: &Segment<'_>, x: &Signal, s: f64) -> (f64, f64) {
     let half = 0.5 * segment.length;
-    // Primitives of x and of (1+s)·x in powers of s, at s and at −1.
+    // Primitives of x and of s·x in powers of s, at s and at −1.
     let (mut area, mut moment) = ([0.0; 2], [0.0; 2]);
-    for (k, point) in [s, -1.0].into_iter().enumerate() {
-        for j in (0..TERMS).rev() {
-            let c = x.smooth[j];
-            area[k] = (area[k] + c * INVERSE[j + 1]) * point;
-            moment[k] = (moment[k] + c * INVERSE[j + 2]) * point;
+    let points = [s, -1.0];
+    for j in (0..TERMS).rev() {
+        for k in 0..2 {
+            area[k] = (area[k] + x.smooth[j] * INVERSE[j + 1]) * points[k];
+            moment[k] = (moment[k] + x.smooth[j] * INVERSE[j + 2]) * points[k];
         }
-        moment[k] *= point;
     }
-    let smooth_area = half * (area[0] - area[1]);
-    let about_middle = half * half * (moment[0] - moment[1]);
-    let mut layer = (0.0, 0.0);
-    if segment.terms > 0 {
-        let per_second = 1.0 / segment.rate;
-        let theta = 0.5 * segment.theta() * (1.0 + s);
-        let (all, first) = layer_integrals(x, theta, segment.terms);
-        layer = (all * per_second, first * per_second * per_second);
+    let area = half * (area[0] - area[1]);
+    let about_middle = half * half * (moment[0] * s + moment[1]);
+    let theta = 0.5 * segment.theta() * (1.0 + s);
+    with_layer(segment, x, theta, (area, (segment.start + half) * area + about_middle))
+}
+
+/// Adds to the integrals of the smooth part those of the layer up to `theta`.
+fn with_layer(segment: &Segment<'_>, x: &Signal, theta: f64, (area, moment): (f64, f64)) -> (f64, f64) {
+    if segment.terms == 0 {
+        return (area, moment);
     }
-    let area = smooth_area + layer.0;
-    let weighted = (segment.start + half) * smooth_area + about_middle + segment.start * layer.0 + layer.1;
-    (area, weighted)
+    let (all, first) = layer_integrals(x, theta, segment.terms);
+    let all = all / segment.rate;
+    (area + all, moment + segment.start * all + first / (segment.rate * segment.rate))
 }
 
 /// `∫ layer dθ` and `∫ θ·layer dθ` from 0 to `theta`.

@@ -14,6 +14,7 @@
 //! This is an expansion of the smooth part in ω/N. It is used only where its last terms are at rounding level; everywhere
 //! else, and for loops of another structure, [`run`] returns `None` and the Legendre cells of `solver.rs` do the work.
 
+mod extrema;
 mod measure;
 mod plan;
 mod propagate;

@@ -1,6 +1,6 @@
 //! What happens on one segment, and the same cut into cells where a question needs plain polynomials.
 
-use super::super::legendre::{Poly, TERMS, from_powers, interpolated, magnitude, restricted, tail};
+use super::super::legendre::{Poly, TERMS, from_powers, interpolated, restricted, tail};
 use super::signal::{Signal, decay, has_decayed, sum_of_magnitudes};
 use super::tables::{EDGES, INVERSE, START_TERMS, TABLES};
 
@@ -34,7 +34,7 @@ pub(in super::super) struct Part {
     pub(in super::super) poly: Poly,
 }
 
-/// A part of a layer is cut in half while its last coefficients exceed this part of it.
+/// A part of a layer is cut in half while its last coefficients exceed this part of the signal.
 const RESOLVED: f64 = 1e-14;
 /// What is left of a layer may be this part of the signal.
 const NOTHING: f64 = 1e-17;
@@ -129,8 +129,12 @@ impl Segment<'_> {
         if self.terms == 0 {
             return 0.0;
         }
+        self.layer_below(signal, part * (sum_of_magnitudes(&signal.smooth) + signal.layer_size(self.terms)))
+    }
+
+    /// From here on, in units of the fast pole's time constant, the layer of a signal stays below `floor`.
+    pub(super) fn layer_below(&self, signal: &Signal, floor: f64) -> f64 {
         let layer = &signal.layer[..self.terms];
-        let floor = part * (sum_of_magnitudes(&signal.smooth) + signal.layer_size(self.terms));
         let bound = |bounds: &[f64]| layer.iter().zip(bounds).map(|(q, b)| q.abs() * b).sum::<f64>();
         let edge = EDGES.iter().zip(&TABLES.bounds).find(|(_, bounds)| bound(*bounds) <= floor);
         edge.map_or_else(|| decay(self.terms), |(edge, _)| *edge)
@@ -140,7 +144,8 @@ impl Segment<'_> {
         let scale = 2.0 / self.theta();
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
         let poly = interpolated(|x| self.value(signal, scale * (middle + half * x) - 1.0));
-        if tail(&poly) > RESOLVED * magnitude(&poly) && half > 1e-3 {
+        let size = sum_of_magnitudes(&signal.smooth) + signal.layer_size(self.terms);
+        if tail(&poly) > RESOLVED * size && half > 1e-3 {
             self.cut(signal, (from, middle), parts);
             self.cut(signal, (middle, to), parts);
             return;
@@ -161,7 +166,7 @@ pub(super) struct Expansion {
 
 impl Expansion {
     /// Whether the terms that are not there are rounding up to `theta`.
-    fn holds_to(&self, theta: f64) -> bool {
+    pub(super) fn holds_to(&self, theta: f64) -> bool {
         let (mut power, mut order) = (1.0, 0.0);
         for _ in 1..START_TERMS {
             order += 1.0;

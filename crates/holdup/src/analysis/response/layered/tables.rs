@@ -31,6 +31,9 @@ pub(super) struct Tables {
     pub(super) squares: [Layer; LAYER_TERMS],
     /// `i!·C(j, i)·(−1)^(j−i)`: what coefficient j of a smooth part adds to its i-th derivative at s = −1.
     pub(super) at_start: [Poly; START_TERMS],
+    /// Half of `∫s^j` and of `∫s·s^j` from −1 to 1.
+    pub(super) areas: Poly,
+    pub(super) moments_about_middle: Poly,
     /// Largest value of `e^(−θ)·θ^j/j!` from each edge on.
     pub(super) bounds: [Layer; EDGES.len()],
     /// Legendre series of `e^(−θ)·θ^j/j!` from each edge to the next.
@@ -101,5 +104,7 @@ pub(super) static TABLES: LazyLock<Box<Tables>> = LazyLock::new(|| {
     }
     let nodes = std::array::from_fn(|i| all_nodes[TERMS / 2 + i]);
     let weights = std::array::from_fn(|i| all_weights[TERMS / 2 + i]);
-    Box::new(Tables { moments, squares, at_start, bounds, layers, powers, nodes, weights })
+    let areas = std::array::from_fn(|j| if j % 2 == 0 { INVERSE[j + 1] } else { 0.0 });
+    let moments_about_middle = std::array::from_fn(|j| if j % 2 == 1 { INVERSE[j + 2] } else { 0.0 });
+    Box::new(Tables { areas, moments_about_middle, moments, squares, at_start, bounds, layers, powers, nodes, weights })
 });

@@ -1,0 +1,228 @@
+//! Extrema of a signal with a layer, all of them, without cutting it into polynomials.
+//!
+//! In the layer the derivative is `e^(−θ)·R(θ) + S(θ)`. Times e^θ it is a power series with the coefficients
+//! `t_j = r_j + Σ C(j, i)·S_i` of θ^j/j!, and by Descartes' rule it has at most as many positive roots as the t_j have sign
+//! changes, and as many up to an even number. So few evaluations prove the extrema complete; where they do not, the answer
+//! is `None`. Coefficients far beyond the end of the layer are nothing within it, so the count stops there.
+
+use super::super::legendre::{Poly, TERMS};
+use super::segment::Segment;
+use super::signal::{LAYER_TERMS, Signal};
+use super::tables::{INVERSE, START_TERMS};
+
+/// A layer that is less than this part of the variation so far does not count: 50 segments of it are below 1e-12.
+const NOTHING: f64 = 2e-15;
+/// Most extrema of a segment that are found here.
+const MOST: usize = 8;
+
+/// Values at the extrema of one segment, in order of time.
+pub(super) struct Extrema {
+    list: [f64; MOST],
+    count: usize,
+}
+
+impl Extrema {
+    pub(super) const NONE: Self = Self { list: [0.0; MOST], count: 0 };
+
+    pub(super) fn values(&self) -> &[f64] {
+        &self.list[..self.count]
+    }
+
+    fn push(&mut self, value: f64) -> Option<()> {
+        *self.list.get_mut(self.count)? = value;
+        self.count += 1;
+        Some(())
+    }
+}
+
+/// The extrema of a signal inside a segment; `None` where they are not proven complete. `variation` is the sum to which
+/// their differences are added.
+pub(super) fn extrema(segment: &Segment<'_>, x: &Signal, variation: f64) -> Option<Extrema> {
+    let mut extrema = Extrema::NONE;
+    let over = if segment.terms == 0 { 0.0 } else { segment.layer_below(x, NOTHING * variation) };
+    let mut s = -1.0;
+    if over > 0.0 {
+        if over > 0.9 * segment.theta() {
+            return None;
+        }
+        in_layer(segment, x, over, &mut extrema)?;
+        s = 2.0 * over / segment.theta() - 1.0;
+    }
+    in_smooth(&x.smooth, s, &mut extrema)?;
+    Some(extrema)
+}
+
+/// Extrema of a polynomial from `from` to 1.
+fn in_smooth(c: &Poly, from: f64, extrema: &mut Extrema) -> Option<()> {
+    let (mut others, mut bends) = (0.0, 0.0);
+    let mut index = 2.0;
+    for c in &c[2..] {
+        others += index * c.abs();
+        bends += index * (index - 1.0) * c.abs();
+        index += 1.0;
+    }
+    if c[1].abs() > others * (1.0 + 1e-14) {
+        return Some(());
+    }
+    // The derivative is monotone: at most one root.
+    if 4.0 * c[2].abs() <= bends * (1.0 + 1e-14) {
+        return None;
+    }
+    let at = |s: f64| {
+        let (mut value, mut slope, mut bend) = (0.0, 0.0, 0.0);
+        for c in c.iter().rev() {
+            bend = bend * s + slope;
+            slope = slope * s + value;
+            value = value * s + c;
+        }
+        (value, slope, 2.0 * bend)
+    };
+    let ((_, first, _), (_, last, _)) = (at(from), at(1.0));
+    if (first < 0.0) == (last < 0.0) {
+        return Some(());
+    }
+    let start = from - first * ((1.0 - from) / (last - first));
+    extrema.push(polished(at, start, (from, 1.0), first < 0.0))
+}
+
+/// The value at the extremum between these points; `at` gives value, slope and second derivative.
+fn polished(at: impl Fn(f64) -> (f64, f64, f64), start: f64, (low, high): (f64, f64), rising: bool) -> f64 {
+    let (mut low, mut high, mut s) = (low, high, start);
+    let mut best = 0.0;
+    for _ in 0..60 {
+        if !(s > low && s < high) {
+            s = 0.5 * (low + high);
+        }
+        let (value, slope, bend) = at(s);
+        if (slope < 0.0) == rising {
+            low = s;
+        } else {
+            high = s;
+        }
+        let step = -slope / bend;
+        // From here to the extremum to second order: what is left is of third order in the step, 1e-14.
+        best = value + 0.5 * slope * step;
+        if step.abs() < 2e-5 {
+            return best;
+        }
+        s += step;
+    }
+    best
+}
+
+/// The layer about its start: derivative and value as functions of θ.
+struct Start {
+    /// Coefficients of θ^j (without the factorials) of the layer and of its derivative.
+    layer: [f64; LAYER_TERMS],
+    slope: [f64; LAYER_TERMS],
+    terms: usize,
+    /// The same of the smooth part.
+    smooth: [f64; START_TERMS],
+}
+
+impl Start {
+    /// Value, first and second derivative by θ.
+    fn at(&self, theta: f64) -> (f64, f64, f64) {
+        let (mut value, mut slope, mut bend) = (0.0, 0.0, 0.0);
+        for j in (0..self.terms).rev() {
+            bend = bend * theta + slope;
+            slope = slope * theta + self.slope[j];
+            value = value * theta + self.layer[j];
+        }
+        let decayed = (-theta).exp();
+        let (mut p, mut p1, mut p2) = (0.0, 0.0, 0.0);
+        for c in self.smooth.iter().rev() {
+            p2 = p2 * theta + p1;
+            p1 = p1 * theta + p;
+            p = p * theta + c;
+        }
+        (value * decayed + p, slope * decayed + p1, (bend - slope) * decayed + 2.0 * p2)
+    }
+}
+
+/// Extrema between the start and `over`.
+fn in_layer(segment: &Segment<'_>, x: &Signal, over: f64, extrema: &mut Extrema) -> Option<()> {
+    let expansion = segment.expansion(x);
+    if !expansion.holds_to(over) {
+        return None;
+    }
+    let terms = segment.terms;
+    let q = &x.layer[..terms];
+    let mut start =
+        Start { layer: [0.0; LAYER_TERMS], slope: [0.0; LAYER_TERMS], terms, smooth: expansion.derivatives };
+    let mut coefficients = [0.0; LAYER_TERMS];
+    let mut factor = 1.0;
+    for j in 0..terms {
+        let next = if j + 1 < terms { q[j + 1] } else { 0.0 };
+        coefficients[j] = next - q[j];
+        start.layer[j] = factor * q[j];
+        start.slope[j] = factor * coefficients[j];
+        factor *= INVERSE[j + 1];
+    }
+    let mut factor = 1.0;
+    for (i, c) in start.smooth.iter_mut().enumerate() {
+        *c *= factor;
+        factor *= INVERSE[i + 1];
+    }
+    let most = sign_changes(&coefficients[..terms], &expansion.derivatives, over);
+    if most == 0 {
+        return Some(());
+    }
+    // The last coefficient dominates: a bump with its top near θ = n − 1, steepest one width on either side.
+    #[expect(clippy::cast_precision_loss, reason = "at most 64")]
+    let top = (terms - 1) as f64;
+    let width = top.sqrt();
+    let points = [0.0, top - width, top, top + width, over];
+    let mut found = 0;
+    let mut brackets = [(0.0, 0.0, false); 4];
+    let (mut left, mut left_slope) = (0.0, start.at(0.0).1);
+    for &right in points[1..].iter().filter(|p| **p > 0.0 && **p <= over) {
+        if right <= left {
+            continue;
+        }
+        let right_slope = start.at(right).1;
+        if (left_slope < 0.0) != (right_slope < 0.0) {
+            brackets[found] = (left, right, left_slope < 0.0);
+            found += 1;
+        }
+        (left, left_slope) = (right, right_slope);
+    }
+    // The ends fix how many there are up to an even number: with at most one missing, none is.
+    if found + 1 < most {
+        return None;
+    }
+    for &(left, right, rising) in &brackets[..found] {
+        let middle = 0.5 * (left + right);
+        extrema.push(polished(|theta| start.at(theta), middle, (left, right), rising))?;
+    }
+    Some(())
+}
+
+/// Sign changes of `t_j = r_j + Σ C(j, i)·S_i`, as far as these matter before `over`; one more where rounding may hide one.
+fn sign_changes(r: &[f64], derivatives: &[f64; START_TERMS], over: f64) -> usize {
+    // Values of the polynomial Σ C(j, i)·S_i at j = 0, 1, …, from its differences, which are the S_i.
+    let mut differences: [f64; START_TERMS] = *derivatives;
+    differences.rotate_left(1);
+    differences[START_TERMS - 1] = 0.0;
+    let size: f64 = differences[0].abs();
+    let (mut before, mut count) = (0.0f64, 0);
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most 300")]
+    let last = (over + 10.0 * over.sqrt() + 10.0) as usize;
+    for j in 0..=last.max(r.len()) {
+        let own = r.get(j).copied().unwrap_or(0.0);
+        let t = own + differences[0];
+        if t.abs() <= 1e-13 * (own.abs() + size) {
+            count += 1;
+        }
+        if before != 0.0 && (before < 0.0) != (t < 0.0) {
+            count += 1;
+        }
+        before = t;
+        for i in 0..START_TERMS - 1 {
+            differences[i] += differences[i + 1];
+        }
+    }
+    count
+}
+
+const _: () = assert!(TERMS > 4, "a bend needs three coefficients");
