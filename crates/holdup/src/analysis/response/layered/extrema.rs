@@ -5,10 +5,11 @@
 //! changes, and as many up to an even number. So few evaluations prove the extrema complete; where they do not, the answer
 //! is `None`. Coefficients far beyond the end of the layer are nothing within it, so the count stops there.
 
-use super::super::legendre::{Poly, TERMS};
+use super::super::legendre::{Poly, TERMS, derivative, from_powers, significant};
+use super::super::roots::sign_changes;
 use super::segment::Segment;
 use super::signal::{LAYER_TERMS, Signal};
-use super::tables::{INVERSE, START_TERMS};
+use super::tables::INVERSE;
 
 /// A layer that is less than this part of the variation so far does not count: 50 segments of it are below 1e-12.
 const NOTHING: f64 = 2e-15;
@@ -48,12 +49,12 @@ pub(super) fn extrema(segment: &Segment<'_>, x: &Signal, variation: f64) -> Opti
         in_layer(segment, x, over, &mut extrema)?;
         s = 2.0 * over / segment.theta() - 1.0;
     }
-    in_smooth(&x.smooth, s, &mut extrema)?;
+    in_smooth(&x.smooth, s, NOTHING * variation, &mut extrema)?;
     Some(extrema)
 }
 
-/// Extrema of a polynomial from `from` to 1.
-fn in_smooth(c: &Poly, from: f64, extrema: &mut Extrema) -> Option<()> {
+/// Extrema of a polynomial from `from` to 1; changes by `floor` are noise.
+fn in_smooth(c: &Poly, from: f64, floor: f64, extrema: &mut Extrema) -> Option<()> {
     let (mut others, mut bends) = (0.0, 0.0);
     let mut index = 2.0;
     for c in &c[2..] {
@@ -66,7 +67,14 @@ fn in_smooth(c: &Poly, from: f64, extrema: &mut Extrema) -> Option<()> {
     }
     // The derivative is monotone: at most one root.
     if 4.0 * c[2].abs() <= bends * (1.0 + 1e-14) {
-        return None;
+        let mut series = from_powers(c);
+        let needed = significant(&series, floor);
+        series[needed..].fill(0.0);
+        let roots = sign_changes(&derivative(&series), 0.0);
+        for &s in roots.as_slice().iter().filter(|s| **s > from) {
+            extrema.push(c.iter().rev().fold(0.0, |sum, c| sum * s + c))?;
+        }
+        return Some(());
     }
     let at = |s: f64| {
         let (mut value, mut slope, mut bend) = (0.0, 0.0, 0.0);
@@ -117,7 +125,7 @@ struct Start {
     slope: [f64; LAYER_TERMS],
     terms: usize,
     /// The same of the smooth part.
-    smooth: [f64; START_TERMS],
+    smooth: [f64; TERMS],
 }
 
 impl Start {
@@ -142,14 +150,11 @@ impl Start {
 
 /// Extrema between the start and `over`.
 fn in_layer(segment: &Segment<'_>, x: &Signal, over: f64, extrema: &mut Extrema) -> Option<()> {
-    let expansion = segment.expansion(x);
-    if !expansion.holds_to(over) {
-        return None;
-    }
+    let derivatives = segment.expansion(x, over);
     let terms = segment.terms;
     let q = &x.layer[..terms];
     let mut start =
-        Start { layer: [0.0; LAYER_TERMS], slope: [0.0; LAYER_TERMS], terms, smooth: expansion.derivatives };
+        Start { layer: [0.0; LAYER_TERMS], slope: [0.0; LAYER_TERMS], terms, smooth: derivatives };
     let mut coefficients = [0.0; LAYER_TERMS];
     let mut factor = 1.0;
     for j in 0..terms {
@@ -164,7 +169,7 @@ fn in_layer(segment: &Segment<'_>, x: &Signal, over: f64, extrema: &mut Extrema)
         *c *= factor;
         factor *= INVERSE[i + 1];
     }
-    let most = sign_changes(&coefficients[..terms], &expansion.derivatives, over);
+    let most = variations(&coefficients[..terms], &derivatives, over);
     if most == 0 {
         return Some(());
     }
@@ -199,11 +204,11 @@ fn in_layer(segment: &Segment<'_>, x: &Signal, over: f64, extrema: &mut Extrema)
 }
 
 /// Sign changes of `t_j = r_j + Σ C(j, i)·S_i`, as far as these matter before `over`; one more where rounding may hide one.
-fn sign_changes(r: &[f64], derivatives: &[f64; START_TERMS], over: f64) -> usize {
+fn variations(r: &[f64], derivatives: &[f64; TERMS], over: f64) -> usize {
     // Values of the polynomial Σ C(j, i)·S_i at j = 0, 1, …, from its differences, which are the S_i.
-    let mut differences: [f64; START_TERMS] = *derivatives;
+    let mut differences: [f64; TERMS] = *derivatives;
     differences.rotate_left(1);
-    differences[START_TERMS - 1] = 0.0;
+    differences[TERMS - 1] = 0.0;
     let size: f64 = differences[0].abs();
     let (mut before, mut count) = (0.0f64, 0);
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most 300")]
@@ -218,7 +223,7 @@ fn sign_changes(r: &[f64], derivatives: &[f64; START_TERMS], over: f64) -> usize
             count += 1;
         }
         before = t;
-        for i in 0..START_TERMS - 1 {
+        for i in 0..TERMS - 1 {
             differences[i] += differences[i + 1];
         }
     }

@@ -1,11 +1,12 @@
 //! The metrics of one segment: integrals in closed form, everything else by a bound or by monotony where that decides, and
 //! by polynomials on parts of the segment where it does not.
 
-use super::super::legendre::{TERMS, ends, square_integral};
+use super::super::legendre::{TERMS, ends, from_powers, square_integral};
 use super::super::measure::{BANDS, Measure};
+use super::super::roots::sign_changes;
 use super::extrema::{Extrema, extrema};
 use super::segment::{Part, Segment, dot, layer_at, layer_slope_at};
-use super::signal::{Signal, sum_of_magnitudes};
+use super::signal::{Signal, decay, sum_of_magnitudes};
 use super::tables::{INVERSE, TABLES};
 
 /// A layer whose part of a sum is below this is left out: rounding.
@@ -62,9 +63,43 @@ impl Measure {
             self.itae += weighted.abs() + (moment - weighted).abs();
             return;
         }
+        if segment.layers_end_inside() && self.integrals_between_roots(segment, layer) {
+            return;
+        }
         for part in errors.get() {
             self.absolute_integrals((part.start, part.length), &part.poly);
         }
+    }
+
+    /// ∫|e| and ∫t·|e| of a segment whose error, proven, does not change sign while its layer lasts; whether it is one.
+    fn integrals_between_roots(&mut self, segment: &Segment<'_>, layer: f64) -> bool {
+        let e = segment.error;
+        // What is left of the layer, and noise of the series, changes the sums by less than rounding does.
+        let floor = ROUNDING * (self.iae / segment.length).min(self.itae / segment.length.powi(2));
+        let over = if layer > floor { segment.layer_below(e, floor) } else { 0.0 };
+        let mut from = -1.0;
+        if over > 0.0 {
+            let start = segment.expansion(e, over);
+            let (mut swing, mut power) = (layer, 1.0);
+            for (i, c) in start[1..].iter().enumerate() {
+                power *= over * INVERSE[i + 1];
+                swing += c.abs() * power;
+            }
+            if start[0].abs() <= swing || over >= segment.theta() {
+                return false;
+            }
+            from = 2.0 * over / segment.theta() - 1.0;
+        }
+        let roots = sign_changes(&from_powers(&e.smooth), floor);
+        let mut before = (0.0, 0.0);
+        let total = totals(segment, e);
+        let pieces = roots.as_slice().iter().filter(|s| **s > from).map(|&s| integrals(segment, e, s));
+        for until in pieces.chain([total]) {
+            self.iae += (until.0 - before.0).abs();
+            self.itae += (until.1 - before.1).abs();
+            before = until;
+        }
+        true
     }
 
     fn segment_variation(&mut self, segment: &Segment<'_>, outputs: &mut Parts<'_>) {
@@ -169,8 +204,11 @@ fn product(segment: &Segment<'_>, x: &Signal, so_far: f64) -> Option<f64> {
     if 2.0 * layer * sum_of_magnitudes(&x.smooth) <= floor {
         return Some(0.0);
     }
+    // The layer is a factor e^(−θ)·θ^j: three times its width holds what counts of the expansion.
+    let reach = 3.0 * decay(segment.terms);
+    let start = segment.expansion(x, reach.min(segment.theta()));
     let (mut sum, mut before) = (0.0, f64::INFINITY);
-    for (derivative, moments) in segment.expansion(x).derivatives.iter().zip(&TABLES.moments) {
+    for (derivative, moments) in start.iter().zip(&TABLES.moments) {
         let term = 2.0 * derivative * dot(&x.layer[..segment.terms], moments);
         sum += term;
         let size = term.abs();

@@ -2,7 +2,7 @@
 
 use super::super::legendre::{Poly, TERMS, from_powers, interpolated, restricted, tail};
 use super::signal::{Signal, decay, has_decayed, sum_of_magnitudes};
-use super::tables::{EDGES, INVERSE, START_TERMS, TABLES};
+use super::tables::{EDGES, INVERSE, TABLES};
 
 /// What happens from one breakpoint to the next.
 pub(in super::super) struct Segment<'a> {
@@ -87,7 +87,7 @@ impl Segment<'_> {
     pub(super) fn parts(&self, signal: &Signal) -> Vec<Part> {
         let mut parts = Vec::new();
         let (theta, over) = (self.theta(), self.layer_over(signal, NOTHING));
-        let start = self.expansion(signal);
+        let start = self.expansion(signal, over.min(theta));
         let mut from = 0.0;
         for (index, &edge) in EDGES[1..].iter().enumerate() {
             if from >= over.min(theta) {
@@ -95,8 +95,9 @@ impl Segment<'_> {
             }
             // No slivers.
             let to = if edge * 1.2 > theta { theta } else { edge };
-            if to == edge && start.holds_to(edge) {
-                let poly = start.series(&signal.layer[..self.terms], index);
+            if to == edge {
+                let layer = (&signal.layer[..self.terms], &TABLES.layers[index][..]);
+                let poly = combination((&start, &TABLES.powers[index]), layer);
                 parts.push(self.part((from, to), poly));
             } else {
                 self.cut(signal, (from, to), &mut parts);
@@ -113,15 +114,21 @@ impl Segment<'_> {
         parts
     }
 
-    /// The smooth part in terms of `θ^i/i!`.
-    pub(super) fn expansion(&self, signal: &Signal) -> Expansion {
-        let mut derivatives = [0.0; START_TERMS];
-        let (mut scale, per_theta) = (1.0, 2.0 / self.theta());
-        for (derivative, row) in derivatives.iter_mut().zip(&TABLES.at_start) {
-            *derivative = scale * dot(&signal.smooth, row);
-            scale *= per_theta;
+    /// The smooth part in terms of `θ^i/i!`, as far as its terms count up to `theta`.
+    pub(super) fn expansion(&self, signal: &Signal, theta: f64) -> Poly {
+        let mut derivatives = [0.0; TERMS];
+        let floor = NOTHING * sum_of_magnitudes(&signal.smooth);
+        let (mut scale, mut power, mut small) = (1.0, 1.0, 0);
+        for (i, row) in TABLES.at_start.iter().enumerate() {
+            derivatives[i] = scale * dot(&signal.smooth, row);
+            small = if derivatives[i].abs() * power <= floor { small + 1 } else { 0 };
+            if small == 3 {
+                break;
+            }
+            scale *= 2.0 / self.theta();
+            power *= theta * INVERSE[i + 1];
         }
-        Expansion { derivatives, size: sum_of_magnitudes(&signal.smooth) }
+        derivatives
     }
 
     /// From here on, in units of the fast pole's time constant, the layer of a signal stays below this part of the signal.
@@ -158,34 +165,12 @@ impl Segment<'_> {
     }
 }
 
-/// A smooth part about the start of its segment, in terms of `θ^i/i!`.
-pub(super) struct Expansion {
-    pub(super) derivatives: [f64; START_TERMS],
-    size: f64,
-}
-
-impl Expansion {
-    /// Whether the terms that are not there are rounding up to `theta`.
-    pub(super) fn holds_to(&self, theta: f64) -> bool {
-        let (mut power, mut order) = (1.0, 0.0);
-        for _ in 1..START_TERMS {
-            order += 1.0;
-            power *= theta / order;
-        }
-        let [.., before, last] = self.derivatives;
-        (last.abs() + before.abs() * order / theta) * power <= RESOLVED * self.size
-    }
-
-    /// The Legendre series of the signal with this layer from edge `index` to the next.
-    fn series(&self, layer: &[f64], index: usize) -> Poly {
-        combination((&self.derivatives, &TABLES.powers[index]), (layer, &TABLES.layers[index]))
-    }
-}
-
+/// Sum of the rows with these weights: those of the smooth part that are not 0, then those of the layer.
 #[multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2"))]
 fn combination(smooth: (&[f64], &[Poly]), layer: (&[f64], &[Poly])) -> Poly {
     let mut sum = [0.0; TERMS];
-    for (weight, row) in smooth.0.iter().zip(smooth.1).chain(layer.0.iter().zip(layer.1)) {
+    let used = smooth.0.iter().rposition(|w| *w != 0.0).map_or(0, |last| last + 1);
+    for (weight, row) in smooth.0[..used].iter().zip(smooth.1).chain(layer.0.iter().zip(layer.1)) {
         for k in 0..TERMS {
             sum[k] += weight * row[k];
         }

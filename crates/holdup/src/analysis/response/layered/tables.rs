@@ -20,17 +20,14 @@ pub(super) const INVERSE: [f64; LAYER_TERMS + 1] = {
 /// Points on the layer's axis between which one polynomial holds a layer, in most cases to rounding.
 pub(super) const EDGES: [f64; 11] = [0.0, 5.0, 12.0, 20.0, 30.0, 42.0, 58.0, 78.0, 104.0, 140.0, 190.0];
 
-/// Terms of the expansion of a smooth part about the start of its segment that products with a layer may need.
-pub(super) const START_TERMS: usize = 12;
-
 /// What integrals over layers are made of.
 pub(super) struct Tables {
     /// `C(i+j, i)`: `∫ e^(−θ)·θ^i/i!·θ^j/j! dθ` from 0 to ∞.
-    pub(super) moments: [Layer; START_TERMS],
+    pub(super) moments: [Layer; TERMS],
     /// `C(i+j, i)/2^(i+j+1)`: the same with e^(−2θ).
     pub(super) squares: [Layer; LAYER_TERMS],
     /// `i!·C(j, i)·(−1)^(j−i)`: what coefficient j of a smooth part adds to its i-th derivative at s = −1.
-    pub(super) at_start: [Poly; START_TERMS],
+    pub(super) at_start: [Poly; TERMS],
     /// Half of `∫s^j` and of `∫s·s^j` from −1 to 1.
     pub(super) areas: Poly,
     pub(super) moments_about_middle: Poly,
@@ -39,7 +36,7 @@ pub(super) struct Tables {
     /// Legendre series of `e^(−θ)·θ^j/j!` from each edge to the next.
     pub(super) layers: [[Poly; LAYER_TERMS]; EDGES.len() - 1],
     /// Legendre series of `θ^i/i!` from each edge to the next.
-    pub(super) powers: [[Poly; START_TERMS]; EDGES.len() - 1],
+    pub(super) powers: [[Poly; TERMS]; EDGES.len() - 1],
     /// Gauss nodes (the positive ones) and weights for the integral of the square of a smooth part.
     pub(super) nodes: [f64; TERMS / 2],
     pub(super) weights: [f64; TERMS / 2],
@@ -61,7 +58,7 @@ pub(super) static TABLES: LazyLock<Box<Tables>> = LazyLock::new(|| {
     let squares = std::array::from_fn(|i| std::array::from_fn(|j| binomial[i + j][i] * half_powers[i + j]));
     let mut factorial = 1.0;
     let mut number = 0.0;
-    let mut at_start = [[0.0; TERMS]; START_TERMS];
+    let mut at_start = [[0.0; TERMS]; TERMS];
     for (i, row) in at_start.iter_mut().enumerate() {
         for (j, entry) in row.iter_mut().enumerate().skip(i) {
             *entry = if (j - i) % 2 == 0 { factorial } else { -factorial } * binomial[j][i];
@@ -85,7 +82,7 @@ pub(super) static TABLES: LazyLock<Box<Tables>> = LazyLock::new(|| {
     let (all_nodes, all_weights, transform) = gauss();
     let piece = |i: usize| (0.5 * (EDGES[i] + EDGES[i + 1]), 0.5 * (EDGES[i + 1] - EDGES[i]));
     let mut layers = [[[0.0; TERMS]; LAYER_TERMS]; EDGES.len() - 1];
-    let mut powers = [[[0.0; TERMS]; START_TERMS]; EDGES.len() - 1];
+    let mut powers = [[[0.0; TERMS]; TERMS]; EDGES.len() - 1];
     for i in 0..EDGES.len() - 1 {
         let (middle, half) = piece(i);
         for (x, row) in all_nodes.iter().zip(&transform) {

@@ -1,5 +1,7 @@
 //! The fast way against the Legendre cells.
 
+use proptest::prelude::*;
+
 use super::super::measure::Measure;
 use super::super::solver::Solver;
 use super::super::{Response, measure_of, response};
@@ -64,5 +66,66 @@ fn the_paper_s_loops_take_the_fast_way_and_agree_to_1e_11() {
             // 1e-11: tolerance of a cell (2e-14) times some hundred cells.
             agree(&fast.expect("one layer"), &general, 1e-11);
         }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(400))]
+
+    /// Random loops, scaled by a gain and a time, with any filter, close events and derivative gains up to the neutral limit.
+    #[test]
+    fn random_loops_agree_to_1e_9(
+        (gain, time) in (0.01f64..100.0, 0.01f64..1000.0),
+        kc in 0.05f64..1.3,
+        ti in prop::option::of(0.8f64..40.0),
+        kappa in prop::option::of(0.01f64..0.999),
+        filter in -3.5f64..0.3,
+        (b, c) in (0.0f64..1.2, 0.0f64..1.2),
+        observer in prop::option::weighted(0.2, 0.05f64..0.6),
+        lag in prop::option::weighted(0.2, 0.01f64..3.0),
+        (step, load, second) in (0.0f64..5.0, 0.0f64..30.0, -2.0f64..2.0),
+        horizon in 5.0f64..120.0,
+    ) {
+        let mut process = Process::integrating(gain, Seconds(time)).unwrap();
+        if let Some(lag) = lag {
+            process = process.with_lag(Seconds(lag * time)).unwrap();
+        }
+        let mut controller = Controller::proportional(kc / (gain * time)).unwrap();
+        if let Some(ti) = ti {
+            controller = controller.with_integral_time(Seconds(ti * time)).unwrap();
+        }
+        if let Some(kappa) = kappa {
+            let controller_with = controller.with_derivative_time(Seconds(kappa / kc * time)).unwrap();
+            controller = controller_with.with_filter_bandwidth(10f64.powf(-filter) / time).unwrap();
+            controller = controller.with_setpoint_weights(b, c).unwrap();
+        }
+        if let Some(observer) = observer {
+            controller = controller.with_observer(Observer::new(observer / (gain * time)).unwrap());
+        }
+        let closed = ClosedLoop::new(&process, &controller);
+        let end = horizon * time;
+        let setpoint = vec![(step * time, 1.0), (0.9 * end, second)];
+        let load = vec![((load * time).min(0.8 * end), 0.7 / (gain * time))];
+        let servo = Scenario::new(vec![(step * time, -1.5)], vec![], Seconds(end), 0.0).unwrap();
+        let busy = Scenario::new(setpoint, load, Seconds(end), 0.3).unwrap();
+        for scenario in [servo, busy] {
+            let (fast, general) = both(&closed, &scenario);
+            if let Some(fast) = fast {
+                // 1e-9 is what both ways promise.
+                agree(&fast, &general, 1e-9);
+            }
+        }
+    }
+}
+
+#[test]
+fn thousands_of_dead_times_agree() {
+    let pi = Controller::proportional(1.55).unwrap().with_integral_time(Seconds(5e3)).unwrap();
+    let loops = [Controller::proportional(1.57).unwrap(), pi, pid(1.0, 30.0, 0.3, 300.0), pid(0.5, 30.0, 0.9, 50.0)];
+    let process = Process::integrating(1.0, Seconds(1.0)).unwrap();
+    for controller in loops {
+        let (fast, general) = both(&ClosedLoop::new(&process, &controller), &servo_and_load(3000.0, 1000.4));
+        // 1e-10: rounding of 3000 turns of an oscillation that hardly decays.
+        agree(&fast.expect("one layer"), &general, 1e-10);
     }
 }
