@@ -126,11 +126,47 @@ struct Start {
     terms: usize,
     /// The same of the smooth part.
     smooth: [f64; TERMS],
+    smooth_terms: usize,
 }
 
 impl Start {
-    /// Value, first and second derivative by θ.
-    fn at(&self, theta: f64) -> (f64, f64, f64) {
+    /// First derivatives by θ at several points.
+    fn slopes(&self, points: &[f64; 8]) -> [f64; 8] {
+        slopes(&self.slope[..self.terms], &self.smooth[..self.smooth_terms], points)
+    }
+
+    /// The value at the extremum between two points at which the derivative is known.
+    ///
+    /// Where the derivative of the layer itself changes sign, Newton's method; where it dies away against a derivative of the
+    /// smooth part, Newton's method on the logarithm of their ratio, which is almost a straight line.
+    fn extremum(&self, ((mut low, first), (mut high, last)): ((f64, f64), (f64, f64))) -> f64 {
+        let mut theta = low - first * ((high - low) / (last - first));
+        let mut best = 0.0;
+        for _ in 0..60 {
+            if !(theta > low && theta < high) {
+                theta = 0.5 * (low + high);
+            }
+            let ((value, slope, bend), (p, p1, p2)) = self.at(theta);
+            let (sum, sum_bend) = (slope + p1, bend + p2);
+            if (sum < 0.0) == (first < 0.0) {
+                low = theta;
+            } else {
+                high = theta;
+            }
+            let newton = -sum / sum_bend;
+            // From here to the extremum to second order: what is left is of third order in the step, 1e-14.
+            best = value + p + 0.5 * sum * newton;
+            if newton.abs() < 2e-5 {
+                return best;
+            }
+            let dying = slope * p1 < 0.0 && slope * bend < 0.0;
+            theta += if dying { -(-slope / p1).ln() / (bend / slope - p2 / p1) } else { newton };
+        }
+        best
+    }
+
+    /// Value, first and second derivative by θ of the layer and of the smooth part.
+    fn at(&self, theta: f64) -> ((f64, f64, f64), (f64, f64, f64)) {
         let (mut value, mut slope, mut bend) = (0.0, 0.0, 0.0);
         for j in (0..self.terms).rev() {
             bend = bend * theta + slope;
@@ -139,22 +175,43 @@ impl Start {
         }
         let decayed = (-theta).exp();
         let (mut p, mut p1, mut p2) = (0.0, 0.0, 0.0);
-        for c in self.smooth.iter().rev() {
+        for c in self.smooth[..self.smooth_terms].iter().rev() {
             p2 = p2 * theta + p1;
             p1 = p1 * theta + p;
             p = p * theta + c;
         }
-        (value * decayed + p, slope * decayed + p1, (bend - slope) * decayed + 2.0 * p2)
+        ((value * decayed, slope * decayed, (bend - slope) * decayed), (p, p1, 2.0 * p2))
     }
+}
+
+#[multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2"))]
+fn slopes(layer: &[f64], smooth: &[f64], points: &[f64; 8]) -> [f64; 8] {
+    let (mut sums, mut values, mut slopes) = ([0.0; 8], [0.0; 8], [0.0; 8]);
+    for c in layer.iter().rev() {
+        for k in 0..8 {
+            sums[k] = sums[k] * points[k] + c;
+        }
+    }
+    for c in smooth.iter().rev() {
+        for k in 0..8 {
+            slopes[k] = slopes[k] * points[k] + values[k];
+            values[k] = values[k] * points[k] + c;
+        }
+    }
+    for k in 0..8 {
+        slopes[k] += sums[k] * (-points[k]).exp();
+    }
+    slopes
 }
 
 /// Extrema between the start and `over`.
 fn in_layer(segment: &Segment<'_>, x: &Signal, over: f64, extrema: &mut Extrema) -> Option<()> {
     let derivatives = segment.expansion(x, over);
+    let used = derivatives.iter().rposition(|d| *d != 0.0).map_or(0, |last| last + 1).max(2);
     let terms = segment.terms;
     let q = &x.layer[..terms];
     let mut start =
-        Start { layer: [0.0; LAYER_TERMS], slope: [0.0; LAYER_TERMS], terms, smooth: derivatives };
+        Start { layer: [0.0; LAYER_TERMS], slope: [0.0; LAYER_TERMS], terms, smooth: derivatives, smooth_terms: 0 };
     let mut coefficients = [0.0; LAYER_TERMS];
     let mut factor = 1.0;
     for j in 0..terms {
@@ -164,70 +221,86 @@ fn in_layer(segment: &Segment<'_>, x: &Signal, over: f64, extrema: &mut Extrema)
         start.slope[j] = factor * coefficients[j];
         factor *= INVERSE[j + 1];
     }
+    start.smooth_terms = used;
     let mut factor = 1.0;
-    for (i, c) in start.smooth.iter_mut().enumerate() {
+    for (i, c) in start.smooth[..used].iter_mut().enumerate() {
         *c *= factor;
         factor *= INVERSE[i + 1];
     }
-    let most = variations(&coefficients[..terms], &derivatives, over);
+    let most = variations(&coefficients[..terms], &derivatives[1..used], over);
     if most == 0 {
         return Some(());
     }
     // The last coefficient dominates: a bump with its top near θ = n − 1, steepest one width on either side.
-    #[expect(clippy::cast_precision_loss, reason = "at most 64")]
-    let top = (terms - 1) as f64;
+    let top = number(terms - 1);
     let width = top.sqrt();
-    let points = [0.0, top - width, top, top + width, over];
+    let mut points = [0.0, top - width, top, top + width, top + 2.0 * width + 2.0, 0.0, 0.0, 0.0];
+    points[5] = 0.5 * (points[4] + over);
+    points[6] = over;
+    for i in 1..6 {
+        points[i] = points[i].clamp(0.0, over);
+    }
+    points[7] = over;
+    let slopes = start.slopes(&points);
     let mut found = 0;
-    let mut brackets = [(0.0, 0.0, false); 4];
-    let (mut left, mut left_slope) = (0.0, start.at(0.0).1);
-    for &right in points[1..].iter().filter(|p| **p > 0.0 && **p <= over) {
-        if right <= left {
-            continue;
-        }
-        let right_slope = start.at(right).1;
-        if (left_slope < 0.0) != (right_slope < 0.0) {
-            brackets[found] = (left, right, left_slope < 0.0);
+    for i in 1..7 {
+        if (slopes[i - 1] < 0.0) != (slopes[i] < 0.0) {
             found += 1;
         }
-        (left, left_slope) = (right, right_slope);
     }
     // The ends fix how many there are up to an even number: with at most one missing, none is.
     if found + 1 < most {
         return None;
     }
-    for &(left, right, rising) in &brackets[..found] {
-        let middle = 0.5 * (left + right);
-        extrema.push(polished(|theta| start.at(theta), middle, (left, right), rising))?;
+    for i in 1..7 {
+        if (slopes[i - 1] < 0.0) != (slopes[i] < 0.0) {
+            let bracket = ((points[i - 1], slopes[i - 1]), (points[i], slopes[i]));
+            extrema.push(start.extremum(bracket))?;
+        }
     }
     Some(())
 }
 
 /// Sign changes of `t_j = r_j + Σ C(j, i)·S_i`, as far as these matter before `over`; one more where rounding may hide one.
-fn variations(r: &[f64], derivatives: &[f64; TERMS], over: f64) -> usize {
+fn variations(r: &[f64], slope: &[f64], over: f64) -> usize {
     // Values of the polynomial Σ C(j, i)·S_i at j = 0, 1, …, from its differences, which are the S_i.
-    let mut differences: [f64; TERMS] = *derivatives;
-    differences.rotate_left(1);
-    differences[TERMS - 1] = 0.0;
-    let size: f64 = differences[0].abs();
+    let mut differences = [0.0; TERMS];
+    differences[..slope.len()].copy_from_slice(slope);
     let (mut before, mut count) = (0.0f64, 0);
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most 300")]
-    let last = (over + 10.0 * over.sqrt() + 10.0) as usize;
-    for j in 0..=last.max(r.len()) {
-        let own = r.get(j).copied().unwrap_or(0.0);
+    let mut next = |own: f64, differences: &mut [f64]| {
         let t = own + differences[0];
-        if t.abs() <= 1e-13 * (own.abs() + size) {
-            count += 1;
-        }
-        if before != 0.0 && (before < 0.0) != (t < 0.0) {
-            count += 1;
-        }
+        count += usize::from(t.abs() <= 1e-13 * (own.abs() + slope[0].abs()));
+        count += usize::from(before != 0.0 && (before < 0.0) != (t < 0.0));
         before = t;
-        for i in 0..TERMS - 1 {
-            differences[i] += differences[i + 1];
+        for i in 1..differences.len() {
+            differences[i - 1] += differences[i];
         }
+    };
+    let differences = &mut differences[..slope.len()];
+    for &own in r {
+        next(own, differences);
+    }
+    // Beyond the layer's terms there is the polynomial alone. Coefficients are means of what is near θ = j: ten widths past
+    // the end of the layer they are nothing within it.
+    let beyond = over + 10.0 * over.sqrt() + 10.0 - number(r.len());
+    let (mut others, mut power, mut order) = (0.0, 1.0, 0.0);
+    for difference in &differences[1..] {
+        order += 1.0;
+        power *= beyond / order;
+        others += difference.abs() * power;
+    }
+    let steady = differences[0].abs() > others;
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most 350")]
+    let more = if steady { 1 } else { beyond.max(0.0) as usize + 1 };
+    for _ in 0..more {
+        next(0.0, differences);
     }
     count
+}
+
+#[expect(clippy::cast_precision_loss, reason = "at most 64")]
+fn number(count: usize) -> f64 {
+    count as f64
 }
 
 const _: () = assert!(TERMS > 4, "a bend needs three coefficients");

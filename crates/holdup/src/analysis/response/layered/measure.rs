@@ -1,12 +1,12 @@
 //! The metrics of one segment: integrals in closed form, everything else by a bound or by monotony where that decides, and
 //! by polynomials on parts of the segment where it does not.
 
-use super::super::legendre::{TERMS, ends, from_powers, square_integral};
+use super::super::legendre::{Poly, TERMS, ends, from_powers, square_integral};
 use super::super::measure::{BANDS, Measure};
 use super::super::roots::sign_changes;
 use super::extrema::{Extrema, extrema};
 use super::segment::{Part, Segment, dot, layer_at, layer_slope_at};
-use super::signal::{Signal, decay, sum_of_magnitudes};
+use super::signal::{Signal, sum_of_magnitudes};
 use super::tables::{INVERSE, TABLES};
 
 /// A layer whose part of a sum is below this is left out: rounding.
@@ -132,6 +132,18 @@ impl Measure {
         if peak_bound <= self.peak && overshoot_decided {
             return;
         }
+        // Changes below 1e-15 of the peak so far, or of an end, are nothing.
+        let (start, end) = segment.ends(e);
+        let size = self.peak.max(start.abs()).max(end.abs());
+        if let Some(extrema) = extrema(segment, e, size) {
+            for &error in [start, end].iter().chain(extrema.values()) {
+                self.peak = self.peak.max((segment.setpoint - error).abs());
+                if let Some(tracking) = self.tracking.as_mut().filter(|t| end_time > t.start()) {
+                    tracking.overshoot = tracking.overshoot.max(-error / tracking.size());
+                }
+            }
+            return;
+        }
         for part in errors.get() {
             self.extremes((part.start, part.length), segment.setpoint, &part.poly, ends(&part.poly));
         }
@@ -204,31 +216,42 @@ fn product(segment: &Segment<'_>, x: &Signal, so_far: f64) -> Option<f64> {
     if 2.0 * layer * sum_of_magnitudes(&x.smooth) <= floor {
         return Some(0.0);
     }
-    // The layer is a factor e^(−θ)·θ^j: three times its width holds what counts of the expansion.
-    let reach = 3.0 * decay(segment.terms);
-    let start = segment.expansion(x, reach.min(segment.theta()));
-    let (mut sum, mut before) = (0.0, f64::INFINITY);
-    for (derivative, moments) in start.iter().zip(&TABLES.moments) {
-        let term = 2.0 * derivative * dot(&x.layer[..segment.terms], moments);
+    let sum = product_sum(&x.smooth, &x.layer[..segment.terms], 2.0 / segment.theta(), floor)?;
+    Some(2.0 * sum / segment.rate)
+}
+
+#[multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2"))]
+fn product_sum(smooth: &Poly, layer: &[f64], per_theta: f64, floor: f64) -> Option<f64> {
+    let (mut sum, mut scale, mut before) = (0.0, 1.0, f64::INFINITY);
+    for (row, moments) in TABLES.at_start.iter().zip(&TABLES.moments) {
+        let term = scale * dot(smooth, row) * dot(layer, moments);
         sum += term;
         let size = term.abs();
         if size.max(before) <= (1e-16 * f64::abs(sum)).max(floor) {
-            return Some(sum / segment.rate);
+            return Some(sum);
         }
         before = size;
+        scale *= per_theta;
     }
     None
 }
 
 /// `∫ layer² dt`.
 fn layer_square(segment: &Segment<'_>, x: &Signal, so_far: f64) -> f64 {
-    let layer = x.layer_size(segment.terms);
-    if layer * layer <= ROUNDING * so_far * segment.rate {
-        return 0.0;
+    let floor = ROUNDING * so_far * segment.rate;
+    square_sum(&x.layer[..segment.terms], x.layer_size(segment.terms), floor) / segment.rate
+}
+
+#[multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2"))]
+fn square_sum(layer: &[f64], size: f64, floor: f64) -> f64 {
+    let mut sum = 0.0;
+    for (q, row) in layer.iter().zip(&TABLES.squares) {
+        // Coefficients of the product are at most 1/2.
+        if q.abs() * size > floor {
+            sum += q * dot(layer, row);
+        }
     }
-    let q = &x.layer[..segment.terms];
-    let sum: f64 = q.iter().zip(&TABLES.squares).map(|(c, row)| c * dot(q, row)).sum();
-    sum / segment.rate
+    sum
 }
 
 /// `∫x dt` and `∫t·x dt` over the segment.

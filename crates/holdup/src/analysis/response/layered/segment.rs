@@ -116,19 +116,7 @@ impl Segment<'_> {
 
     /// The smooth part in terms of `θ^i/i!`, as far as its terms count up to `theta`.
     pub(super) fn expansion(&self, signal: &Signal, theta: f64) -> Poly {
-        let mut derivatives = [0.0; TERMS];
-        let floor = NOTHING * sum_of_magnitudes(&signal.smooth);
-        let (mut scale, mut power, mut small) = (1.0, 1.0, 0);
-        for (i, row) in TABLES.at_start.iter().enumerate() {
-            derivatives[i] = scale * dot(&signal.smooth, row);
-            small = if derivatives[i].abs() * power <= floor { small + 1 } else { 0 };
-            if small == 3 {
-                break;
-            }
-            scale *= 2.0 / self.theta();
-            power *= theta * INVERSE[i + 1];
-        }
-        derivatives
+        expansion(&signal.smooth, 2.0 / self.theta(), theta)
     }
 
     /// From here on, in units of the fast pole's time constant, the layer of a signal stays below this part of the signal.
@@ -163,6 +151,23 @@ impl Segment<'_> {
     fn part(&self, (from, to): (f64, f64), poly: Poly) -> Part {
         Part { start: self.start + from / self.rate, length: (to - from) / self.rate, poly }
     }
+}
+
+#[multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2"))]
+fn expansion(smooth: &Poly, per_theta: f64, theta: f64) -> Poly {
+    let mut derivatives = [0.0; TERMS];
+    let floor = NOTHING * sum_of_magnitudes(smooth);
+    let (mut scale, mut power, mut small) = (1.0, 1.0, 0);
+    for (i, row) in TABLES.at_start.iter().enumerate() {
+        derivatives[i] = scale * dot(smooth, row);
+        small = if derivatives[i].abs() * power <= floor { small + 1 } else { 0 };
+        if small == 3 {
+            break;
+        }
+        scale *= per_theta;
+        power *= theta * INVERSE[i + 1];
+    }
+    derivatives
 }
 
 /// Sum of the rows with these weights: those of the smooth part that are not 0, then those of the layer.
