@@ -1,5 +1,6 @@
 //! What the loop does, exactly.
 
+pub mod batch;
 pub mod bounds;
 pub mod frequency;
 pub mod infinite_horizon;

@@ -2,7 +2,9 @@
 
 use super::cell::{Cell, Watch};
 use super::layered::Segment;
-use super::legendre::{Poly, derivative, ends, magnitude, primitives, significant, square_integral, swing, value};
+use super::legendre::{
+    Poly, derivative, ends, magnitude, primitives, significant, square_integral, swing, value,
+};
 use super::roots::{Roots, sign_changes};
 
 /// A setpoint move that overshoot, rise and settling are about.

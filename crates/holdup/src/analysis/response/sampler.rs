@@ -8,6 +8,9 @@ use super::scenario::Scenario;
 use super::system::System;
 use super::trajectory::Trajectory;
 
+/// A layer counts until it is this part of its signal.
+const UNSEEN: f64 = 1e-14;
+
 /// Value at each time of what starts at `rest` and is held from event to event.
 fn held(times: &[f64], sorted: bool, rest: f64, events: &[(f64, f64)]) -> Vec<f64> {
     let mut values = vec![rest; times.len()];
@@ -132,7 +135,7 @@ impl Curve<'_> {
             layer: &signal.layer[..segment.terms],
             factor: 1.0,
             rate: segment.rate,
-            over: segment.start + segment.layer_over(signal, 1e-15) / segment.rate.max(f64::MIN_POSITIVE),
+            over: segment.start + segment.layer_over(signal, UNSEEN) / segment.rate.max(f64::MIN_POSITIVE),
         }
     }
 
@@ -188,7 +191,8 @@ impl Watch for Sampler<'_> {
         let level = self.scenario.initial() + cell.setpoint;
         let at_end = |p: &Poly| ends(p).1;
         let estimate = cell.load_estimate;
-        self.last = Some([level - at_end(cell.error), at_end(cell.manipulated), estimate.map_or(0.0, at_end)]);
+        self.last =
+            Some([level - at_end(cell.error), at_end(cell.manipulated), estimate.map_or(0.0, at_end)]);
         let range = self.until(cell.start + cell.length);
         if range.0 == range.1 {
             return;

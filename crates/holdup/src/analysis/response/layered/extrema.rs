@@ -210,8 +210,13 @@ fn in_layer(segment: &Segment<'_>, x: &Signal, over: f64, extrema: &mut Extrema)
     let used = derivatives.iter().rposition(|d| *d != 0.0).map_or(0, |last| last + 1).max(2);
     let terms = segment.terms;
     let q = &x.layer[..terms];
-    let mut start =
-        Start { layer: [0.0; LAYER_TERMS], slope: [0.0; LAYER_TERMS], terms, smooth: derivatives, smooth_terms: 0 };
+    let mut start = Start {
+        layer: [0.0; LAYER_TERMS],
+        slope: [0.0; LAYER_TERMS],
+        terms,
+        smooth: derivatives,
+        smooth_terms: 0,
+    };
     let mut coefficients = [0.0; LAYER_TERMS];
     let mut factor = 1.0;
     for j in 0..terms {

@@ -105,7 +105,8 @@ impl Measure {
     fn segment_variation(&mut self, segment: &Segment<'_>, outputs: &mut Parts<'_>) {
         let u = segment.manipulated;
         let (start, end) = segment.ends(u);
-        let extrema = if segment.monotone(u) { Some(Extrema::NONE) } else { extrema(segment, u, self.variation) };
+        let extrema =
+            if segment.monotone(u) { Some(Extrema::NONE) } else { extrema(segment, u, self.variation) };
         if let Some(extrema) = extrema {
             let mut before = self.last.1;
             for &value in [start].iter().chain(extrema.values()).chain(&[end]) {
@@ -122,8 +123,7 @@ impl Measure {
 
     fn segment_extremes(&mut self, segment: &Segment<'_>, errors: &mut Parts<'_>) {
         let e = segment.error;
-        let swing =
-            sum_of_magnitudes(&e.smooth) - e.smooth[0].abs() + e.layer_size(segment.terms);
+        let swing = sum_of_magnitudes(&e.smooth) - e.smooth[0].abs() + e.layer_size(segment.terms);
         let peak_bound = (segment.setpoint - e.smooth[0]).abs() + swing;
         let end_time = segment.start + segment.length;
         let overshoot_decided = self.tracking.as_ref().is_none_or(|t| {

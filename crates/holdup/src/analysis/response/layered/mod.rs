@@ -14,6 +14,12 @@
 //! This is an expansion of the smooth part in ω/N. It is used only where its last terms are at rounding level; everywhere
 //! else, and for loops of another structure, [`run`] returns `None` and the Legendre cells of `solver.rs` do the work.
 
+#![expect(
+    clippy::inline_always,
+    reason = "only what is inlined is compiled for the instruction set chosen at run time"
+)]
+
+mod evaluate;
 mod extrema;
 mod measure;
 mod plan;
@@ -22,7 +28,8 @@ mod segment;
 mod signal;
 mod tables;
 
-pub(super) use segment::{Segment, add_layer};
+pub(super) use evaluate::add_layer;
+pub(super) use segment::Segment;
 pub(super) use signal::Signal;
 
 use super::cell::{Outcome, Watch};

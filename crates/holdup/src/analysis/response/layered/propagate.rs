@@ -136,7 +136,8 @@ impl<'a> Propagation<'a> {
         let before = std::mem::replace(&mut self.rest, self.system.rest(self.setpoint, self.load));
         let jump = self.system.rest(setpoint, load).states;
         for (i, state) in self.plan.states.iter().enumerate() {
-            self.states[i] -= jump[i] - state.follows.iter().map(|&(j, weight)| weight * jump[j]).sum::<f64>();
+            self.states[i] -=
+                jump[i] - state.follows.iter().map(|&(j, weight)| weight * jump[j]).sum::<f64>();
         }
         for c in 0..self.plan.inputs.len() {
             let shift = before.delayed[c] - self.rest.delayed[c];
@@ -192,7 +193,8 @@ impl<'a> Propagation<'a> {
         let mut quiet = true;
         for (i, signal) in self.signals.iter().chain(&next).enumerate() {
             let size = signal.smooth_size() + signal.layer_size(terms);
-            if !(size < 1e280) {
+            // The general way says where an unstable loop overflows.
+            if !size.is_finite() || size > 1e280 {
                 return None;
             }
             let scale = &mut self.scales[i];

@@ -222,22 +222,4 @@ pub(super) fn layer_slope_at(signal: &Signal, theta: f64, terms: usize) -> f64 {
     sum * (-theta).exp()
 }
 
-/// Adds `factor` times the layer of a segment that starts at `start` to the values at these times.
-pub(in super::super) fn add_layer(
-    layer: &[f64],
-    factor: f64,
-    (start, rate): (f64, f64),
-    times: &[f64],
-    values: &mut [f64],
-) {
-    for (value, time) in values.iter_mut().zip(times) {
-        let theta = rate * (time - start);
-        let mut sum = 0.0;
-        for (q, inverse) in layer.iter().zip(&INVERSE[1..]).rev() {
-            sum = sum * theta * inverse + q;
-        }
-        *value += factor * (sum * (-theta).exp());
-    }
-}
-
 const _: () = assert!(TERMS == 24, "the tables are made for 24 terms");

@@ -103,5 +103,16 @@ pub(super) static TABLES: LazyLock<Box<Tables>> = LazyLock::new(|| {
     let weights = std::array::from_fn(|i| all_weights[TERMS / 2 + i]);
     let areas = std::array::from_fn(|j| if j % 2 == 0 { INVERSE[j + 1] } else { 0.0 });
     let moments_about_middle = std::array::from_fn(|j| if j % 2 == 1 { INVERSE[j + 2] } else { 0.0 });
-    Box::new(Tables { areas, moments_about_middle, moments, squares, at_start, bounds, layers, powers, nodes, weights })
+    Box::new(Tables {
+        moments,
+        squares,
+        at_start,
+        areas,
+        moments_about_middle,
+        bounds,
+        layers,
+        powers,
+        nodes,
+        weights,
+    })
 });

@@ -61,7 +61,8 @@ fn the_paper_s_loops_take_the_fast_way_and_agree_to_1e_11() {
     ];
     for controller in loops {
         let closed = ClosedLoop::new(&level(), &controller);
-        for scenario in [servo_and_load(200.0, 100.0), Scenario::unit_setpoint_step(Seconds(301.7)).unwrap()] {
+        for scenario in [servo_and_load(200.0, 100.0), Scenario::unit_setpoint_step(Seconds(301.7)).unwrap()]
+        {
             let (fast, general) = both(&closed, &scenario);
             // 1e-11: tolerance of a cell (2e-14) times some hundred cells.
             agree(&fast.expect("one layer"), &general, 1e-11);
@@ -121,11 +122,34 @@ proptest! {
 #[test]
 fn thousands_of_dead_times_agree() {
     let pi = Controller::proportional(1.55).unwrap().with_integral_time(Seconds(5e3)).unwrap();
-    let loops = [Controller::proportional(1.57).unwrap(), pi, pid(1.0, 30.0, 0.3, 300.0), pid(0.5, 30.0, 0.9, 50.0)];
+    let loops =
+        [Controller::proportional(1.57).unwrap(), pi, pid(1.0, 30.0, 0.3, 300.0), pid(0.5, 30.0, 0.9, 50.0)];
     let process = Process::integrating(1.0, Seconds(1.0)).unwrap();
     for controller in loops {
         let (fast, general) = both(&ClosedLoop::new(&process, &controller), &servo_and_load(3000.0, 1000.4));
         // 1e-10: rounding of 3000 turns of an oscillation that hardly decays.
         agree(&fast.expect("one layer"), &general, 1e-10);
+    }
+}
+
+#[test]
+fn close_pairs_of_roots_of_the_error_are_found() {
+    let pi = Controller::proportional(1.6).unwrap().with_integral_time(Seconds(48.0)).unwrap();
+    for controller in [pi, pid(2.95, 15.0, 3.0, 100.0), pid(1.6, 30.0, 2.0, 20.0)] {
+        let closed = ClosedLoop::new(&level(), &controller);
+        let step = Scenario::unit_setpoint_step(Seconds(60.0)).unwrap();
+        let overshoot = both(&closed, &step).1.metrics.overshoot.unwrap();
+        let times: Vec<f64> = (0..6000).map(|i| 0.01 * f64::from(i)).collect();
+        let y = super::super::trajectory(&closed, &step, &times).unwrap().controlled_variable;
+        let top = (0..y.len()).max_by(|&i, &j| y[i].total_cmp(&y[j])).unwrap();
+        // Half a dead time before the top the setpoint moves up to it: y feels nothing yet, the error touches zero.
+        let before = times[top] - 3.0;
+        for depth in [1e-2, 1e-3, 1e-4, 1e-5, 1e-7, 0.0, -1e-5] {
+            let setpoint = vec![(0.0, 1.0), (before, 1.0 + overshoot - depth)];
+            let scenario = Scenario::new(setpoint, vec![], Seconds(60.0), 0.0).unwrap();
+            let (fast, general) = both(&closed, &scenario);
+            // 1e-11: a pair overlooked at a depth of 1e-5 would be 1e-8 of the integral.
+            agree(&fast.expect("one layer"), &general, 1e-11);
+        }
     }
 }
