@@ -1,6 +1,7 @@
 //! Simulation of one loop: `cargo bench -p holdup --bench response`.
 
 use divan::{Bencher, black_box};
+use holdup::analysis::batch::over_processes;
 use holdup::analysis::response::{Scenario, simulate, simulate_with_trajectory};
 use holdup::model::{ClosedLoop, Controller, Observer, Process, Seconds};
 
@@ -63,4 +64,16 @@ fn slowly_damped_10_000_dead_times(bencher: Bencher) {
     let closed = ClosedLoop::new(&process, &Controller::proportional(1.57).expect("valid"));
     let scenario = Scenario::unit_setpoint_step(Seconds(10_000.0)).expect("valid");
     bencher.bench(|| simulate(black_box(&closed), black_box(&scenario)));
+}
+
+/// The metrics of 1000 processes, ±20 % in gain and dead time, under the paper's PID control.
+#[divan::bench(sample_count = 10)]
+fn one_thousand_processes(bencher: Bencher) {
+    let process = |i: u32| {
+        let (gain, time) = (0.8 + 0.0004 * f64::from(i), 0.8 + 0.4 * f64::from(i * 37 % 1000) / 1000.0);
+        Process::integrating(0.0506 * gain, Seconds(6.0 * time)).expect("valid")
+    };
+    let processes: Vec<Process> = (0..1000).map(process).collect();
+    let (controller, scenario) = (pid(), servo_and_load(200.0));
+    bencher.bench(|| over_processes(black_box(&processes), black_box(&controller), black_box(&scenario)));
 }

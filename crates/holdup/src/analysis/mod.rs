@@ -1,6 +1,7 @@
 //! What the loop does, exactly.
 
 pub mod actuator;
+pub mod batch;
 pub mod bounds;
 mod exponential;
 pub mod frequency;

@@ -1,5 +1,6 @@
 //! What the solver shows of each cell, to those who measure or draw.
 
+use super::layered::Segment;
 use super::legendre::Poly;
 
 /// What happens in one cell, in units of the process: polynomials in s from −1 to 1 over the cell.
@@ -22,6 +23,12 @@ pub(super) struct Cell<'a> {
 pub(super) trait Watch {
     /// The next cell, in order.
     fn cell(&mut self, cell: &Cell<'_>);
+
+    /// The next segment, in order, from the fast way.
+    fn segment(&mut self, segment: &Segment<'_>);
+
+    /// Forgets everything it was shown: the run starts again.
+    fn restart(&mut self);
 }
 
 /// How a run ended.

@@ -90,6 +90,25 @@ pub(super) fn powers(p: &Poly) -> (Poly, usize) {
     (sum, terms)
 }
 
+/// Legendre coefficients of each power of s.
+static OF_POWERS: LazyLock<[Poly; TERMS]> = LazyLock::new(|| {
+    let mut table = [[0.0; TERMS]; TERMS];
+    table[0][0] = 1.0;
+    for j in 1..TERMS {
+        table[j] = times_s(&table[j - 1]);
+    }
+    table
+});
+
+/// Legendre coefficients of the polynomial with these coefficients of powers.
+pub(super) fn from_powers(c: &Poly) -> Poly {
+    let mut sum = [0.0; TERMS];
+    for (c, row) in c.iter().zip(OF_POWERS.iter()) {
+        add(&mut sum, *c, row);
+    }
+    sum
+}
+
 /// Values at many times of a polynomial in the power basis, on a cell that starts at `start` and is `2/scale` long.
 #[multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2"))]
 pub(super) fn evaluate(powers: &[f64], (start, scale): (f64, f64), times: &[f64], values: &mut [f64]) {
@@ -263,6 +282,20 @@ static GAUSS: LazyLock<Gauss> = LazyLock::new(|| {
     Gauss { nodes, weights, transform }
 });
 
+/// Gauss nodes in increasing order, their weights, and what a value of 1 at each node adds to the coefficients.
+pub(super) fn gauss() -> (Poly, Poly, [Poly; TERMS]) {
+    (GAUSS.nodes, GAUSS.weights, GAUSS.transform)
+}
+
+/// The polynomial that has the values of `f` at the Gauss nodes.
+pub(super) fn interpolated(f: impl Fn(f64) -> f64) -> Poly {
+    let mut p = [0.0; TERMS];
+    for (x, row) in GAUSS.nodes.iter().zip(&GAUSS.transform) {
+        add(&mut p, f(*x), row);
+    }
+    p
+}
+
 /// The Legendre polynomial of degree [`TERMS`] and its derivative at `s`.
 fn highest(s: f64) -> (f64, f64) {
     let (mut before, mut now, mut k) = (1.0, s, 1.0);
@@ -352,13 +385,9 @@ pub(super) fn project(sum: &mut Poly, p: &[f64], (from, to): (f64, f64), (start,
 mod tests {
     use super::*;
 
-    /// Coefficients of e^(0.7·s) by restriction of nothing: interpolated at the nodes.
+    /// e^(rate·s).
     fn exponential(rate: f64) -> Poly {
-        let mut p = [0.0; TERMS];
-        for (x, row) in GAUSS.nodes.iter().zip(&GAUSS.transform) {
-            add(&mut p, (rate * x).exp(), row);
-        }
-        p
+        interpolated(|x| (rate * x).exp())
     }
 
     #[test]

@@ -1,7 +1,10 @@
 //! What the metrics are made of, gathered cell by cell: integrals, variation, extrema, crossings.
 
 use super::cell::{Cell, Watch};
-use super::legendre::{derivative, ends, magnitude, primitives, significant, square_integral, swing, value};
+use super::layered::Segment;
+use super::legendre::{
+    Poly, derivative, ends, magnitude, primitives, significant, square_integral, swing, value,
+};
 use super::roots::{Roots, sign_changes};
 
 /// A setpoint move that overshoot, rise and settling are about.
@@ -63,13 +66,13 @@ impl Measure {
         }
     }
 
-    fn absolute_integrals(&mut self, cell: &Cell<'_>) {
-        let e = cell.error;
-        let half = 0.5 * cell.length;
-        let middle = cell.start + half;
+    /// `∫|e|` and `∫t·|e|` over a cell that starts at `start`.
+    pub(super) fn absolute_integrals(&mut self, (start, length): (f64, f64), e: &Poly) {
+        let half = 0.5 * length;
+        let middle = start + half;
         let bound = 2.0 * half * magnitude(e);
         // Too small to change the sums by a rounding error: its sign does not matter.
-        let negligible = bound <= 1e-18 * self.iae && bound * (cell.start + cell.length) <= 1e-18 * self.itae;
+        let negligible = bound <= 1e-18 * self.iae && bound * (start + length) <= 1e-18 * self.itae;
         if negligible || e[0].abs() >= swing(e) {
             let sign = if e[0] < 0.0 { -1.0 } else { 1.0 };
             let (area, moment) = (2.0 * e[0], e[1] * (2.0 / 3.0));
@@ -78,8 +81,7 @@ impl Measure {
             return;
         }
         // Noise below this changes the sums by less than rounding does.
-        let floor =
-            1e-17 * (self.iae / cell.length).min(self.itae / (cell.length * (cell.start + cell.length)));
+        let floor = 1e-17 * (self.iae / length).min(self.itae / (length * (start + length)));
         let roots = sign_changes(e, floor);
         let (area, moment) = primitives(e);
         let (mut area_before, mut moment_before) = (0.0, 0.0);
@@ -93,9 +95,8 @@ impl Measure {
         }
     }
 
-    fn controller_output(&mut self, cell: &Cell<'_>) {
-        let u = cell.manipulated;
-        self.energy += 0.5 * cell.length * square_integral(u);
+    /// Total variation of the controller output, the jump to the start of the cell included.
+    pub(super) fn variation_of(&mut self, u: &Poly) {
         let (start, end) = ends(u);
         let mut before = self.last.1;
         self.variation += (start - before).abs();
@@ -114,8 +115,14 @@ impl Measure {
         self.last.1 = end;
     }
 
-    fn extremes(&mut self, cell: &Cell<'_>, (start, end): (f64, f64)) {
-        let e = cell.error;
+    /// Peak and overshoot; `start` and `end` are the values of the error at the ends of the cell.
+    pub(super) fn extremes(
+        &mut self,
+        (from, length): (f64, f64),
+        setpoint: f64,
+        e: &Poly,
+        (start, end): (f64, f64),
+    ) {
         let reach = swing(e);
         let mut extrema: Option<Roots> = None;
         let mut largest = |of: &dyn Fn(f64) -> f64, bound: f64, so_far: f64| {
@@ -135,9 +142,9 @@ impl Measure {
             }
             most
         };
-        let moved = |error: f64| (cell.setpoint - error).abs();
+        let moved = |error: f64| (setpoint - error).abs();
         self.peak = largest(&moved, moved(e[0]) + reach, self.peak);
-        if let Some(tracking) = self.tracking.as_mut().filter(|t| cell.start + cell.length > t.step.time) {
+        if let Some(tracking) = self.tracking.as_mut().filter(|t| from + length > t.step.time) {
             let beyond = |error: f64| -error / tracking.step.size;
             let bound = beyond(e[0]) + reach / tracking.step.size.abs();
             tracking.overshoot = largest(&beyond, bound, tracking.overshoot);
@@ -151,20 +158,31 @@ impl Tracking {
         self.step.time
     }
 
-    fn cell(&mut self, cell: &Cell<'_>, (start, end): (f64, f64)) {
-        let e = cell.error;
-        if cell.setpoint == 0.0 {
+    /// Size of the setpoint move.
+    pub(super) fn size(&self) -> f64 {
+        self.step.size
+    }
+
+    /// Adds a cell; `start` and `end` are the values of the error at its ends.
+    pub(super) fn part(
+        &mut self,
+        (from, length): (f64, f64),
+        setpoint: f64,
+        e: &Poly,
+        (start, end): (f64, f64),
+    ) {
+        if setpoint == 0.0 {
             return; // before the move
         }
         let size = self.step.size;
         let reach = swing(e);
-        let time = |s: f64| cell.start + 0.5 * cell.length * (1.0 + s);
+        let time = |s: f64| from + 0.5 * length * (1.0 + s);
         for (level, first) in LEVELS.iter().zip(&mut self.first_at) {
             if first.is_none() {
                 // Positive until the level is reached.
                 let to_go = |error: f64| (error - size * (1.0 - level)) / size;
                 if to_go(start) <= 0.0 {
-                    *first = Some(cell.start);
+                    *first = Some(from);
                 } else if to_go(e[0]) <= reach / size.abs() {
                     let mut shifted = *e;
                     shifted[0] -= size * (1.0 - level);
@@ -189,7 +207,7 @@ impl Tracking {
                 if latest >= -1.0 {
                     self.last_outside[index] = time(latest);
                 } else if start.abs() > band {
-                    self.last_outside[index] = cell.start;
+                    self.last_outside[index] = from;
                 }
             }
         }
@@ -200,20 +218,30 @@ impl Watch for Measure {
     fn cell(&mut self, cell: &Cell<'_>) {
         let error_ends = ends(cell.error);
         self.ise += 0.5 * cell.length * square_integral(cell.error);
-        self.absolute_integrals(cell);
-        self.controller_output(cell);
-        self.extremes(cell, error_ends);
+        self.energy += 0.5 * cell.length * square_integral(cell.manipulated);
+        let place = (cell.start, cell.length);
+        self.absolute_integrals(place, cell.error);
+        self.variation_of(cell.manipulated);
+        self.extremes(place, cell.setpoint, cell.error, error_ends);
         if let Some(tracking) = &mut self.tracking {
-            tracking.cell(cell, error_ends);
+            tracking.part(place, cell.setpoint, cell.error, error_ends);
         }
         self.last.0 = cell.setpoint - error_ends.1;
+    }
+
+    fn segment(&mut self, segment: &Segment<'_>) {
+        self.add_segment(segment);
+    }
+
+    fn restart(&mut self) {
+        *self = Self::new(self.tracking.map(|t| t.step));
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::analysis::response::legendre::{Poly, TERMS};
+    use crate::analysis::response::legendre::TERMS;
 
     #[test]
     fn integrals_of_a_line_that_changes_sign_are_those_of_two_triangles() {

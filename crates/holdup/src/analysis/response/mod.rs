@@ -13,10 +13,12 @@ mod error;
 mod extent;
 mod instant;
 mod lag;
+mod layered;
 mod legendre;
 mod measure;
 mod roots;
 pub mod sampled;
+mod sampler;
 mod scenario;
 mod solver;
 mod system;
@@ -27,7 +29,7 @@ pub use extent::{Extreme, OutputExtent, output_extent};
 pub use scenario::{Scenario, ScenarioError};
 pub use trajectory::{Trajectory, plot_times, simulate_with_trajectory, trajectory};
 
-use cell::Outcome;
+use cell::{Outcome, Watch};
 use measure::{BANDS, Measure, Move};
 use solver::Solver;
 use system::System;
@@ -68,8 +70,17 @@ pub struct Response {
 pub fn simulate(closed_loop: &ClosedLoop, scenario: &Scenario) -> Result<Response, ResponseError> {
     let system = System::new(closed_loop);
     let mut measure = measure_of(scenario);
-    let outcome = Solver::new(&system).run(scenario, &mut measure)?;
+    let outcome = run(&system, scenario, &mut measure)?;
     Ok(response(scenario, &measure, outcome))
+}
+
+/// Shows the response to `watch`: the fast way where the loop allows it, otherwise cell by cell.
+fn run(system: &System, scenario: &Scenario, watch: &mut impl Watch) -> Result<Outcome, ResponseError> {
+    if let Some(outcome) = layered::run(system, scenario, watch) {
+        return outcome;
+    }
+    watch.restart();
+    Solver::new(system).run(scenario, watch)
 }
 
 fn measure_of(scenario: &Scenario) -> Measure {

@@ -13,7 +13,7 @@ use super::scenario::Scenario;
 use super::system::{Rest, Row, System};
 
 /// Cells, those that were too long included, after which a simulation gives up (a few seconds of computing).
-const CELL_BUDGET: u64 = 1_000_000;
+pub(super) const CELL_BUDGET: u64 = 1_000_000;
 /// A cell is accepted when its last coefficients are below this part of the signal's largest value so far.
 const TOLERANCE: f64 = 2e-14;
 /// The same where states drive each other: stiff coupled lags leave 24² roundings in the last coefficients.
@@ -24,7 +24,7 @@ const ROUNDING: f64 = 1e-15;
 /// not carried on.
 const FLOOR: f64 = 1e-18;
 /// Signals below this part of their largest value so far, for the longest delay, are at rest.
-const SETTLED: f64 = 1e-20;
+pub(super) const SETTLED: f64 = 1e-20;
 /// Breakpoints that went through the loop more often than this are left to the acceptance test.
 const BREAKPOINT_ORDER: u32 = 40;
 
@@ -493,7 +493,7 @@ fn combined(row: &Row, states: &[Poly], delayed: &[Poly]) -> Poly {
 }
 
 /// Time and change of setpoint and load, in order of time.
-fn merged_events(scenario: &Scenario) -> Vec<(f64, f64, f64)> {
+pub(super) fn merged_events(scenario: &Scenario) -> Vec<(f64, f64, f64)> {
     let mut events: Vec<(f64, f64, f64)> = scenario
         .setpoint_moves()
         .into_iter()
@@ -507,6 +507,7 @@ fn merged_events(scenario: &Scenario) -> Vec<(f64, f64, f64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::analysis::response::layered::Segment;
     use crate::model::{ClosedLoop, Controller, Process, Seconds};
 
     /// Lengths of all cells.
@@ -515,6 +516,14 @@ mod tests {
     impl Watch for Lengths {
         fn cell(&mut self, cell: &Cell<'_>) {
             self.0.push(cell.length);
+        }
+
+        fn segment(&mut self, _: &Segment<'_>) {
+            unreachable!("this solver makes cells");
+        }
+
+        fn restart(&mut self) {
+            self.0.clear();
         }
     }
 

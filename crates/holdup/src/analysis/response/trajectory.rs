@@ -2,14 +2,14 @@
 
 use crate::model::ClosedLoop;
 
-use super::cell::{Cell, Outcome, Watch};
+use super::cell::{Cell, Watch};
 use super::error::ResponseError;
-use super::legendre::{Poly, ends, evaluate, powers};
+use super::layered::Segment;
 use super::measure::Measure;
+use super::sampler::Sampler;
 use super::scenario::Scenario;
-use super::solver::Solver;
 use super::system::System;
-use super::{Response, measure_of, response};
+use super::{Response, measure_of, response, run};
 
 /// Signals at requested times; at an event the value from the right.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -51,7 +51,7 @@ pub fn trajectory(
 ) -> Result<Trajectory, ResponseError> {
     let system = System::new(closed_loop);
     let mut sampler = Sampler::new(&system, scenario, times)?;
-    let outcome = Solver::new(&system).run(scenario, &mut sampler)?;
+    let outcome = run(&system, scenario, &mut sampler)?;
     Ok(sampler.finish(outcome))
 }
 
@@ -66,7 +66,7 @@ pub fn simulate_with_trajectory(
 ) -> Result<(Response, Trajectory), ResponseError> {
     let system = System::new(closed_loop);
     let mut both = Both(measure_of(scenario), Sampler::new(&system, scenario, times)?);
-    let outcome = Solver::new(&system).run(scenario, &mut both)?;
+    let outcome = run(&system, scenario, &mut both)?;
     Ok((response(scenario, &both.0, outcome), both.1.finish(outcome)))
 }
 
@@ -97,22 +97,6 @@ pub fn plot_times(closed_loop: &ClosedLoop, scenario: &Scenario, points: usize) 
     times
 }
 
-/// Value at each time of what starts at `rest` and is held from event to event.
-fn held(times: &[f64], sorted: bool, rest: f64, events: &[(f64, f64)]) -> Vec<f64> {
-    let mut values = vec![rest; times.len()];
-    for &(at, value) in events {
-        if sorted {
-            let from = times.partition_point(|&t| t < at);
-            values[from..].fill(value);
-        } else {
-            for (held, _) in values.iter_mut().zip(times).filter(|(_, t)| **t >= at) {
-                *held = value;
-            }
-        }
-    }
-    values
-}
-
 struct Both<'a>(Measure, Sampler<'a>);
 
 impl Watch for Both<'_> {
@@ -120,121 +104,14 @@ impl Watch for Both<'_> {
         self.0.cell(cell);
         self.1.cell(cell);
     }
-}
 
-/// Fills in the requested times, which it walks through in increasing order.
-struct Sampler<'a> {
-    scenario: &'a Scenario,
-    /// Indices of the times in increasing order; `None` if they are in order already.
-    order: Option<Vec<usize>>,
-    next: usize,
-    result: Trajectory,
-    last: Option<[f64; 3]>,
-}
-
-impl<'a> Sampler<'a> {
-    fn new(system: &System, scenario: &'a Scenario, times: &[f64]) -> Result<Self, ResponseError> {
-        let horizon = scenario.horizon();
-        if let Some(&value) = times.iter().find(|t| !(**t >= 0.0 && **t <= horizon)) {
-            return Err(ResponseError::TimeOutside { value, horizon });
-        }
-        let order = (!times.is_sorted()).then(|| {
-            let mut order: Vec<usize> = (0..times.len()).collect();
-            order.sort_by(|&a, &b| times[a].total_cmp(&times[b]));
-            order
-        });
-        let empty = || vec![0.0; times.len()];
-        let result = Trajectory {
-            time: times.to_vec(),
-            setpoint: held(times, order.is_none(), scenario.initial(), scenario.setpoint()),
-            controlled_variable: empty(),
-            manipulated_variable: empty(),
-            load: held(times, order.is_none(), 0.0, scenario.load()),
-            load_estimate: system.load_estimate.as_ref().map(|_| empty()),
-        };
-        Ok(Self { scenario, order, next: 0, result, last: None })
+    fn segment(&mut self, segment: &Segment<'_>) {
+        self.0.segment(segment);
+        self.1.segment(segment);
     }
 
-    fn index(&self, position: usize) -> usize {
-        self.order.as_ref().map_or(position, |order| order[position])
-    }
-
-    fn set(&mut self, index: usize, [y, u, estimate]: [f64; 3]) {
-        self.result.controlled_variable[index] = y;
-        self.result.manipulated_variable[index] = u;
-        if let Some(estimates) = &mut self.result.load_estimate {
-            estimates[index] = estimate;
-        }
-    }
-
-    /// The times that no cell contains: the horizon itself, or everything after an overflow.
-    fn finish(mut self, outcome: Outcome) -> Trajectory {
-        if outcome.overflow_at.is_none() {
-            for position in self.next..self.result.time.len() {
-                let index = self.index(position);
-                self.set(index, self.last.unwrap_or_default());
-            }
-            return self.result;
-        }
-        let mut kept: Vec<usize> = (0..self.next).map(|position| self.index(position)).collect();
-        kept.sort_unstable();
-        let pick = |values: &[f64]| kept.iter().map(|&i| values[i]).collect::<Vec<f64>>();
-        Trajectory {
-            time: pick(&self.result.time),
-            setpoint: pick(&self.result.setpoint),
-            controlled_variable: pick(&self.result.controlled_variable),
-            manipulated_variable: pick(&self.result.manipulated_variable),
-            load: pick(&self.result.load),
-            load_estimate: self.result.load_estimate.as_deref().map(pick),
-        }
-    }
-}
-
-impl Watch for Sampler<'_> {
-    fn cell(&mut self, cell: &Cell<'_>) {
-        let end = cell.start + cell.length;
-        let level = self.scenario.initial() + cell.setpoint;
-        let at_end = |p: &Poly| ends(p).1;
-        self.last = Some([
-            level - at_end(cell.error),
-            at_end(cell.manipulated),
-            cell.load_estimate.map_or(0.0, at_end),
-        ]);
-        let from = self.next;
-        let to = match &self.order {
-            None => from + self.result.time[from..].partition_point(|&t| t < end),
-            Some(order) => from + order[from..].partition_point(|&i| self.result.time[i] < end),
-        };
-        self.next = to;
-        if from == to {
-            return;
-        }
-        let place = (cell.start, 2.0 / cell.length);
-        let mut error = powers(cell.error);
-        for c in &mut error.0 {
-            *c = -*c;
-        }
-        error.0[0] += level;
-        error.1 = error.1.max(1);
-        let manipulated = powers(cell.manipulated);
-        let Trajectory { time, controlled_variable, manipulated_variable, load_estimate, .. } =
-            &mut self.result;
-        let order = self.order.as_deref().map(|order| &order[from..to]);
-        let fill = |powers: &(Poly, usize), values: &mut [f64]| {
-            let powers = &powers.0[..powers.1];
-            match order {
-                None => evaluate(powers, place, &time[from..to], &mut values[from..to]),
-                Some(order) => {
-                    for &i in order {
-                        evaluate(powers, place, &time[i..=i], &mut values[i..=i]);
-                    }
-                }
-            }
-        };
-        fill(&error, controlled_variable);
-        fill(&manipulated, manipulated_variable);
-        if let Some((polynomial, values)) = cell.load_estimate.zip(load_estimate.as_mut()) {
-            fill(&powers(polynomial), values);
-        }
+    fn restart(&mut self) {
+        self.0.restart();
+        self.1.restart();
     }
 }

@@ -1,0 +1,54 @@
+//! The fast way through a scenario: every signal as a polynomial plus a layer, one segment from breakpoint to breakpoint.
+//!
+//! Right after a breakpoint a loop with one fast pole −N (the derivative filter) has a layer of width 1/N, and nothing else
+//! happens at that speed. So every signal is written as
+//!
+//! ```text
+//! P(s) + e^(−θ)·Q(θ),   s = −1 … 1 over the segment,   θ = N·(time since the start of the segment)
+//! ```
+//!
+//! with P in powers of s and Q in the basis θ^j/j!. Both are closed under what a loop does: an integrator shifts the index of
+//! P and sums Q backwards; the fast lag is a backward recurrence in P and an index shift in Q; a delay only renames the
+//! segment. A layer that goes through the loop once more gains one degree in Q and a factor K·Kc·Td.
+//!
+//! This is an expansion of the smooth part in ω/N. It is used only where its last terms are at rounding level; everywhere
+//! else, and for loops of another structure, [`run`] returns `None` and the Legendre cells of `solver.rs` do the work.
+
+#![expect(
+    clippy::inline_always,
+    reason = "only what is inlined is compiled for the instruction set chosen at run time"
+)]
+
+mod evaluate;
+mod extrema;
+mod measure;
+mod plan;
+mod propagate;
+mod segment;
+mod signal;
+mod tables;
+
+pub(super) use evaluate::add_layer;
+pub(super) use segment::Segment;
+pub(super) use signal::Signal;
+
+use super::cell::{Outcome, Watch};
+use super::error::ResponseError;
+use super::scenario::Scenario;
+use super::system::System;
+use plan::Plan;
+use propagate::Propagation;
+
+#[cfg(test)]
+mod tests;
+
+/// Runs the scenario and shows every segment to `watch`; `None` where the loop is of another structure or the
+/// expansion does not hold to rounding, and then what `watch` was shown is worth nothing.
+pub(super) fn run(
+    system: &System,
+    scenario: &Scenario,
+    watch: &mut impl Watch,
+) -> Option<Result<Outcome, ResponseError>> {
+    let plan = Plan::new(system, scenario)?;
+    Propagation::new(system, &plan).run(scenario, watch)
+}

@@ -1,0 +1,155 @@
+//! The fast way against the Legendre cells.
+
+use proptest::prelude::*;
+
+use super::super::measure::Measure;
+use super::super::solver::Solver;
+use super::super::{Response, measure_of, response};
+use super::*;
+use crate::analysis::metrics::METRICS;
+use crate::model::{ClosedLoop, Controller, Observer, Process, Seconds};
+
+fn level() -> Process {
+    Process::integrating(0.0506, Seconds(6.0)).unwrap()
+}
+
+fn pid(kc: f64, ti: f64, td: f64, n: f64) -> Controller {
+    let pid = Controller::proportional(kc).unwrap().with_integral_time(Seconds(ti)).unwrap();
+    pid.with_derivative_time(Seconds(td)).unwrap().with_filter_bandwidth(n).unwrap()
+}
+
+fn servo_and_load(horizon: f64, load_at: f64) -> Scenario {
+    Scenario::new(vec![(0.0, 1.0)], vec![(load_at, 1.0)], Seconds(horizon), 0.0).unwrap()
+}
+
+/// Both answers; `None` where the fast way declines.
+fn both(closed: &ClosedLoop, scenario: &Scenario) -> (Option<Response>, Response) {
+    let system = System::new(closed);
+    let (mut fast, mut general): (Measure, Measure) = (measure_of(scenario), measure_of(scenario));
+    let outcome = run(&system, scenario, &mut fast);
+    let fast = outcome.map(|outcome| response(scenario, &fast, outcome.unwrap()));
+    let outcome = Solver::new(&system).run(scenario, &mut general).unwrap();
+    (fast, response(scenario, &general, outcome))
+}
+
+#[track_caller]
+fn agree(fast: &Response, general: &Response, tolerance: f64) {
+    for metric in METRICS {
+        let (ours, theirs) = ((metric.value)(&fast.metrics), (metric.value)(&general.metrics));
+        assert_eq!(ours.is_some(), theirs.is_some(), "{}: {ours:?} {theirs:?}", metric.name);
+        let (Some(ours), Some(theirs)) = (ours, theirs) else { continue };
+        assert!(
+            (ours - theirs).abs() <= tolerance * theirs.abs().max(1e-3),
+            "{}: {ours} {theirs}, {:e}",
+            metric.name,
+            ours / theirs - 1.0
+        );
+    }
+}
+
+#[test]
+fn the_paper_s_loops_take_the_fast_way_and_agree_to_1e_11() {
+    let pd = Controller::proportional(1.2).unwrap().with_derivative_time(Seconds(1.0)).unwrap();
+    let pd = pd.with_filter_bandwidth(100.0).unwrap();
+    let loops = [
+        pid(2.95, 15.0, 3.0, 100.0),
+        pid(2.95, 15.0, 3.0, 100.0).with_setpoint_weights(0.5, 0.0).unwrap(),
+        Controller::proportional(1.6).unwrap().with_integral_time(Seconds(48.0)).unwrap(),
+        Controller::proportional(1.6).unwrap(),
+        pd,
+        pd.with_observer(Observer::new(0.8).unwrap()),
+    ];
+    for controller in loops {
+        let closed = ClosedLoop::new(&level(), &controller);
+        for scenario in [servo_and_load(200.0, 100.0), Scenario::unit_setpoint_step(Seconds(301.7)).unwrap()]
+        {
+            let (fast, general) = both(&closed, &scenario);
+            // 1e-11: tolerance of a cell (2e-14) times some hundred cells.
+            agree(&fast.expect("one layer"), &general, 1e-11);
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(400))]
+
+    /// Random loops, scaled by a gain and a time, with any filter, close events and derivative gains up to the neutral limit.
+    #[test]
+    fn random_loops_agree_to_1e_9(
+        (gain, time) in (0.01f64..100.0, 0.01f64..1000.0),
+        kc in 0.05f64..1.3,
+        ti in prop::option::of(0.8f64..40.0),
+        kappa in prop::option::of(0.01f64..0.999),
+        filter in -3.5f64..0.3,
+        (b, c) in (0.0f64..1.2, 0.0f64..1.2),
+        observer in prop::option::weighted(0.2, 0.05f64..0.6),
+        lag in prop::option::weighted(0.2, 0.01f64..3.0),
+        (step, load, second) in (0.0f64..5.0, 0.0f64..30.0, -2.0f64..2.0),
+        horizon in 5.0f64..120.0,
+    ) {
+        let mut process = Process::integrating(gain, Seconds(time)).unwrap();
+        if let Some(lag) = lag {
+            process = process.with_lag(Seconds(lag * time)).unwrap();
+        }
+        let mut controller = Controller::proportional(kc / (gain * time)).unwrap();
+        if let Some(ti) = ti {
+            controller = controller.with_integral_time(Seconds(ti * time)).unwrap();
+        }
+        if let Some(kappa) = kappa {
+            let controller_with = controller.with_derivative_time(Seconds(kappa / kc * time)).unwrap();
+            controller = controller_with.with_filter_bandwidth(10f64.powf(-filter) / time).unwrap();
+            controller = controller.with_setpoint_weights(b, c).unwrap();
+        }
+        if let Some(observer) = observer {
+            controller = controller.with_observer(Observer::new(observer / (gain * time)).unwrap());
+        }
+        let closed = ClosedLoop::new(&process, &controller);
+        let end = horizon * time;
+        let setpoint = vec![(step * time, 1.0), (0.9 * end, second)];
+        let load = vec![((load * time).min(0.8 * end), 0.7 / (gain * time))];
+        let servo = Scenario::new(vec![(step * time, -1.5)], vec![], Seconds(end), 0.0).unwrap();
+        let busy = Scenario::new(setpoint, load, Seconds(end), 0.3).unwrap();
+        for scenario in [servo, busy] {
+            let (fast, general) = both(&closed, &scenario);
+            if let Some(fast) = fast {
+                // 1e-9 is what both ways promise.
+                agree(&fast, &general, 1e-9);
+            }
+        }
+    }
+}
+
+#[test]
+fn thousands_of_dead_times_agree() {
+    let pi = Controller::proportional(1.55).unwrap().with_integral_time(Seconds(5e3)).unwrap();
+    let loops =
+        [Controller::proportional(1.57).unwrap(), pi, pid(1.0, 30.0, 0.3, 300.0), pid(0.5, 30.0, 0.9, 50.0)];
+    let process = Process::integrating(1.0, Seconds(1.0)).unwrap();
+    for controller in loops {
+        let (fast, general) = both(&ClosedLoop::new(&process, &controller), &servo_and_load(3000.0, 1000.4));
+        // 1e-10: rounding of 3000 turns of an oscillation that hardly decays.
+        agree(&fast.expect("one layer"), &general, 1e-10);
+    }
+}
+
+#[test]
+fn close_pairs_of_roots_of_the_error_are_found() {
+    let pi = Controller::proportional(1.6).unwrap().with_integral_time(Seconds(48.0)).unwrap();
+    for controller in [pi, pid(2.95, 15.0, 3.0, 100.0), pid(1.6, 30.0, 2.0, 20.0)] {
+        let closed = ClosedLoop::new(&level(), &controller);
+        let step = Scenario::unit_setpoint_step(Seconds(60.0)).unwrap();
+        let overshoot = both(&closed, &step).1.metrics.overshoot.unwrap();
+        let times: Vec<f64> = (0..6000).map(|i| 0.01 * f64::from(i)).collect();
+        let y = super::super::trajectory(&closed, &step, &times).unwrap().controlled_variable;
+        let top = (0..y.len()).max_by(|&i, &j| y[i].total_cmp(&y[j])).unwrap();
+        // Half a dead time before the top the setpoint moves up to it: y feels nothing yet, the error touches zero.
+        let before = times[top] - 3.0;
+        for depth in [1e-2, 1e-3, 1e-4, 1e-5, 1e-7, 0.0, -1e-5] {
+            let setpoint = vec![(0.0, 1.0), (before, 1.0 + overshoot - depth)];
+            let scenario = Scenario::new(setpoint, vec![], Seconds(60.0), 0.0).unwrap();
+            let (fast, general) = both(&closed, &scenario);
+            // 1e-11: a pair overlooked at a depth of 1e-5 would be 1e-8 of the integral.
+            agree(&fast.expect("one layer"), &general, 1e-11);
+        }
+    }
+}
