@@ -1,0 +1,19 @@
+//! Gain, dead time and lag of the process from a record.
+
+mod input;
+mod kind;
+mod noise;
+mod problem;
+mod search;
+mod squares;
+#[cfg(test)]
+mod tests;
+
+pub use kind::{Hold, Kind, Load};
+pub use noise::Noise;
+
+pub(crate) use input::{Input, Shape};
+pub(crate) use noise::{Whitener, restricted_likelihood};
+pub(crate) use problem::{Fit, Problem, Whitened};
+pub(crate) use search::{polish, search};
+pub(crate) use squares::{Basis, dot, norm, solve};
