@@ -3,6 +3,7 @@
 mod input;
 mod kind;
 mod noise;
+mod point;
 mod problem;
 mod search;
 mod squares;
@@ -11,6 +12,7 @@ mod tests;
 
 pub use kind::{Hold, Kind, Load};
 pub use noise::Noise;
+pub use point::{PointError, PointFit, greatest_dead_time, point_fit};
 
 pub(crate) use input::{Input, Shape};
 pub(crate) use noise::{Whitener, restricted_likelihood};
