@@ -1,5 +1,6 @@
 //! From plant data to a model: records are read, looked at, and identified.
 
+pub mod confidence;
 pub mod identify;
 mod samples;
 

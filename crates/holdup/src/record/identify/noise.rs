@@ -148,6 +148,29 @@ impl Whitener {
     }
 }
 
+impl Whitener {
+    /// The transposed filter: what the weights of whitened rows are as weights of the rows themselves.
+    pub(crate) fn transposed(&self, mut weights: Vec<f64>) -> Vec<f64> {
+        if self.white {
+            weights.iter_mut().for_each(|value| *value *= self.rows[0].inverse);
+            return weights;
+        }
+        // The adjoint runs backwards: how what follows depends on the states after each row.
+        let (mut of_a, mut of_b, mut of_c) = (0.0, 0.0, 0.0);
+        for (weight, row) in weights.iter_mut().zip(&self.rows).rev() {
+            let rate = of_c + row.step * of_b;
+            let innovation = *weight * row.inverse
+                + of_a * row.decay * row.gain[0]
+                + of_b * row.gain[1]
+                + rate * row.gain[2];
+            let (next_a, next_b) = (of_a * row.decay - innovation, of_b - innovation);
+            *weight = innovation;
+            (of_a, of_b, of_c) = (next_a, next_b, rate);
+        }
+        weights
+    }
+}
+
 /// How well a noise model explains a response beside the columns: ln of the restricted likelihood (H. D. Patterson and
 /// R. Thompson, Biometrika 58 (1971) 545) with the overall strength at its best, which is returned beside it.
 pub(crate) fn restricted_likelihood(
@@ -204,6 +227,19 @@ mod tests {
                     let expected = if i == j { 1.0 } else { 0.0 };
                     assert!((sum - expected).abs() < 1e-10, "{i} {j}: {sum}");
                 }
+            }
+        }
+    }
+
+    /// ⟨w, W·x⟩ = ⟨Wᵀ·w, x⟩ for unit vectors; rounding of a handful of products.
+    #[test]
+    fn the_transposed_filter_is_the_transposed_matrix() {
+        let noise = Noise { white: 0.4, coloured: 1.1, correlation_time: 2.0, walk: 0.3, wander: 0.2 };
+        let whitener = Whitener::new(&noise, &[0.0, 0.5, 2.0, 2.1, 4.0]);
+        let unit = |k: usize| (0..5).map(|i| if i == k { 1.0 } else { 0.0 }).collect::<Vec<f64>>();
+        for i in 0..5 {
+            for j in 0..5 {
+                assert!((whitener.whiten(unit(j))[i] - whitener.transposed(unit(i))[j]).abs() < 1e-14);
             }
         }
     }
