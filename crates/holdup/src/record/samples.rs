@@ -202,8 +202,6 @@ fn finite(column: &'static str, values: &[f64]) -> Result<(), RecordError> {
 
 #[cfg(test)]
 mod tests {
-    #![expect(clippy::unwrap_used, reason = "a test stops where a value is missing")]
-
     use super::*;
 
     #[test]

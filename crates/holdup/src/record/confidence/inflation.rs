@@ -107,12 +107,12 @@ impl<'p, 'r> Linearised<'p, 'r> {
         #[expect(clippy::cast_precision_loss, reason = "a number of rows")]
         let freedom = (self.problem.len().saturating_sub(basis.rank())).max(1) as f64;
         let scale = rest.max(f64::MIN_POSITIVE) / freedom;
-        let likelihood =
-            -0.5 * (freedom * scale.ln() + whitener.log_determinant() + basis.log_determinant());
+        let likelihood = -0.5 * (freedom * scale.ln() + whitener.log_determinant() + basis.log_determinant());
         // A rounding error of a row moves the whitened rows after it; their weights bound its effect from above only
         // where the whitener does not amplify, so the weights are taken back through the whitener.
         let back = |own: f64, other: f64| -> f64 {
-            let weights = column.iter().zip(&slope).map(|(v, s)| (own * v + other * s) / determinant).collect();
+            let weights =
+                column.iter().zip(&slope).map(|(v, s)| (own * v + other * s) / determinant).collect();
             whitener.transposed(weights).iter().map(|weight| weight.abs()).sum()
         };
         Linear {
@@ -120,7 +120,8 @@ impl<'p, 'r> Linearised<'p, 'r> {
             estimate,
             variance: [scale * ss / determinant, scale * vv / determinant],
             weight: [back(ss, -vs), {
-                let weights = column.iter().zip(&slope).map(|(v, s)| (vv * s - vs * v) / determinant).collect();
+                let weights =
+                    column.iter().zip(&slope).map(|(v, s)| (vv * s - vs * v) / determinant).collect();
                 whitener.transposed(weights).iter().map(|weight: &f64| weight.abs()).sum()
             }],
         }
@@ -143,8 +144,8 @@ pub(crate) fn inflations(problem: &Problem<'_>, joint: &Joint, resolution: f64) 
         (|n, s| Noise { wander: s, ..*n }, noise.wander, 2e-5 * total / (step * step.sqrt())),
         (|n, s| Noise { correlation_time: s, ..*n }, noise.correlation_time, 0.3 * noise.correlation_time),
     ];
-    let mut mean_excess = [0.0; 2];
-    let mut spread = [0.0; 2];
+    let mut mean_excess = [0.0_f64; 2];
+    let mut spread = [0.0_f64; 2];
     for (index, (vary, best, unit)) in parts.into_iter().enumerate() {
         if index == 3 && noise.coloured == 0.0 {
             continue;

@@ -58,8 +58,7 @@ impl<'w, 'p, 'r> Profile<'w, 'p, 'r> {
     ) -> Self {
         let mut profile =
             Self { whitened, best: joint.fit, greatest, inflations, tried: Vec::with_capacity(90) };
-        let mut places: Vec<f64> =
-            (0..=TRIED).map(|k| greatest * f64::from(k) / f64::from(TRIED)).collect();
+        let mut places: Vec<f64> = (0..=TRIED).map(|k| greatest * f64::from(k) / f64::from(TRIED)).collect();
         // Where the dead time is known well the even places are all outside: a few close to the best one.
         let width = profile.width();
         for factor in [0.3, 0.7, 1.0, 1.5, 2.2, 3.2, 5.0, 9.0] {
@@ -124,7 +123,11 @@ impl<'w, 'p, 'r> Profile<'w, 'p, 'r> {
     fn edge(&self, mut outside: f64, mut inside: f64, limit: f64) -> f64 {
         for _ in 0..24 {
             let middle = f64::midpoint(outside, inside);
-            if self.at(middle).squares <= limit { inside = middle } else { outside = middle }
+            if self.at(middle).squares <= limit {
+                inside = middle
+            } else {
+                outside = middle
+            }
             if (outside - inside).abs() <= 1e-4 * inside.abs() {
                 break;
             }
@@ -180,7 +183,8 @@ impl<'w, 'p, 'r> Profile<'w, 'p, 'r> {
 
     /// Fits across an interval of dead times, the best one among them.
     fn across(&self, ends: [f64; 2]) -> impl Iterator<Item = Fit> {
-        let even = (0..=INSIDE).map(move |k| ends[0] + (ends[1] - ends[0]) * f64::from(k) / f64::from(INSIDE));
+        let even =
+            (0..=INSIDE).map(move |k| ends[0] + (ends[1] - ends[0]) * f64::from(k) / f64::from(INSIDE));
         let mut places: Vec<f64> = even.collect();
         places.push(self.best.dead_time);
         places.sort_by(f64::total_cmp);

@@ -130,9 +130,7 @@ impl<'r> Input<'r> {
             Shape::LaggedIntegral(lag) => {
                 once() - lag * (self.lag_after(k, lagged[k], after, lag) - self.value[0])
             }
-            Shape::LagRate(lag) => {
-                (value + bend * after - self.lag_after(k, lagged[k], after, lag)) / lag
-            }
+            Shape::LagRate(lag) => (value + bend * after - self.lag_after(k, lagged[k], after, lag)) / lag,
         }
     }
 }
@@ -150,8 +148,7 @@ mod tests {
     fn every_shape_is_the_integral_of_its_rate() {
         for hold in [Hold::Constant, Hold::Linear] {
             let input = Input::new(&TIME, &VALUE, hold);
-            for shape in
-                [Shape::Integral, Shape::LaggedIntegral(0.7), Shape::DoubleIntegral, Shape::Lag(0.7)]
+            for shape in [Shape::Integral, Shape::LaggedIntegral(0.7), Shape::DoubleIntegral, Shape::Lag(0.7)]
             {
                 for time in [-0.5, 0.4, 1.2, 2.9, 4.7, 6.0] {
                     let near = input.column(shape, 0.3, &[time - 1e-4, time + 1e-4]);
@@ -166,8 +163,8 @@ mod tests {
     fn a_lag_is_the_input_less_the_lag_times_its_rate() {
         let input = Input::new(&TIME, &VALUE, Hold::Constant);
         for time in [0.2, 1.7, 4.4] {
-            let [value, lag, rate] =
-                [Shape::Value, Shape::Lag(0.9), Shape::LagRate(0.9)].map(|s| input.column(s, 0.0, &[time])[0]);
+            let [value, lag, rate] = [Shape::Value, Shape::Lag(0.9), Shape::LagRate(0.9)]
+                .map(|s| input.column(s, 0.0, &[time])[0]);
             assert!((value - lag - 0.9 * rate).abs() < 1e-14);
         }
     }

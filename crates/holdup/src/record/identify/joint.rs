@@ -33,7 +33,13 @@ impl Joint {
 
 /// The best fit of a kind with the noise estimated from what it leaves. Starts from `start` noises, each searched globally;
 /// the most likely wins and is repeated until the dead time stays.
-pub(crate) fn joint(problem: &Problem<'_>, kind: Kind, step: f64, greatest: f64, starts: &[Noise]) -> Option<Joint> {
+pub(crate) fn joint(
+    problem: &Problem<'_>,
+    kind: Kind,
+    step: f64,
+    greatest: f64,
+    starts: &[Noise],
+) -> Option<Joint> {
     let mut best: Option<Joint> = None;
     for start in starts {
         let whitener = Whitener::new(start, &problem.times);
@@ -91,7 +97,8 @@ fn with_noise(problem: &Problem<'_>, fit: Fit, near: Option<&Noise>) -> Joint {
     };
     let whitener = Whitener::new(&noise, &problem.times);
     let fit = Whitened::new(problem, &whitener, fit.kind).at(fit.dead_time, fit.lag);
-    let likelihood = -0.5 * (rows * (fit.squares.max(f64::MIN_POSITIVE) / rows).ln() + whitener.log_determinant());
+    let likelihood =
+        -0.5 * (rows * (fit.squares.max(f64::MIN_POSITIVE) / rows).ln() + whitener.log_determinant());
     Joint { fit, noise, likelihood, freedom }
 }
 

@@ -187,7 +187,10 @@ pub(crate) fn restricted_likelihood(
     let squares = super::squares::dot(&rest, &rest).max(f64::MIN_POSITIVE);
     let strength = (squares / freedom).sqrt();
     let likelihood = -0.5
-        * (freedom * (squares / freedom).ln() + whitener.log_determinant() + basis.log_determinant() + freedom);
+        * (freedom * (squares / freedom).ln()
+            + whitener.log_determinant()
+            + basis.log_determinant()
+            + freedom);
     (likelihood, strength)
 }
 

@@ -101,11 +101,7 @@ pub fn point_fit(record: &Record, greatest: Seconds) -> Result<PointFit, PointEr
     let white = Whitener::new(&Noise::WHITE, &problem.times);
     let whitened = Whitened::new(&problem, &white, Kind::Integrating);
     let fit = search(&whitened, step, greatest.0).ok_or(PointError::Still)?;
-    Ok(PointFit {
-        process_gain: fit.gain,
-        dead_time: fit.dead_time,
-        residual: deviation(fit.squares, rows),
-    })
+    Ok(PointFit { process_gain: fit.gain, dead_time: fit.dead_time, residual: deviation(fit.squares, rows) })
 }
 
 /// Standard deviation of residuals after four numbers have been fitted.
@@ -167,7 +163,8 @@ fn fast(record: &Record, step: f64, lags: usize) -> Option<PointFit> {
     let determinant = vv * ww - vw * vw;
     let [along, across] = [(vy * ww - wy * vw) / determinant, (wy * vv - vy * vw) / determinant];
     let exact = across / along;
-    let (gain, share) = if exact.is_finite() && (exact - between).abs() < 0.5 && (0.0..=1.0).contains(&exact) {
+    let (gain, share) = if exact.is_finite() && (exact - between).abs() < 0.5 && (0.0..=1.0).contains(&exact)
+    {
         (along, exact)
     } else {
         let squares = vv + between * (2.0 * vw + between * ww);

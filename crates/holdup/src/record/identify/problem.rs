@@ -28,8 +28,7 @@ impl<'r> Problem<'r> {
         let input = Input::new(record.time(), record.manipulated_variable(), hold);
         let sample_times = &record.time()[from..];
         let block = block.max(1);
-        let mut problem =
-            Self { input, sample_times, block, times: Vec::new(), response: Vec::new(), load };
+        let mut problem = Self { input, sample_times, block, times: Vec::new(), response: Vec::new(), load };
         problem.times = problem.in_blocks(sample_times.to_vec());
         problem.response = problem.in_blocks(record.controlled_variable()[from..].to_vec());
         problem

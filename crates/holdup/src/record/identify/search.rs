@@ -66,13 +66,7 @@ fn with_lag(whitened: &Whitened<'_, '_>, step: f64, greatest: f64) -> Vec<Fit> {
 }
 
 /// The best few local ones along these dead times, by sums of products only.
-fn along(
-    whitened: &Whitened<'_, '_>,
-    basis: &Basis,
-    response: &[f64],
-    lag: f64,
-    tried: &[f64],
-) -> Vec<Fit> {
+fn along(whitened: &Whitened<'_, '_>, basis: &Basis, response: &[f64], lag: f64, tried: &[f64]) -> Vec<Fit> {
     let shape = whitened.kind.shape(lag);
     let total = dot(response, response);
     let mut found: Vec<Fit> = Vec::new();

@@ -62,9 +62,8 @@ pub(crate) fn estimate(
     let step = (times[times.len() - 1] - times[0]) / (rows - 1.0);
     // A correlation over more than a sixth of the record cannot be told from a random walk.
     let coordinates = Coordinates { step, time: [0.3f64.ln(), (rows / 6.0).max(1.0).ln()] };
-    let cost = |at: &[f64; 4]| -> f64 {
-        -restricted_likelihood(&coordinates.noise(at), times, columns, response).0
-    };
+    let cost =
+        |at: &[f64; 4]| -> f64 { -restricted_likelihood(&coordinates.noise(at), times, columns, response).0 };
     let mut best = near.map_or_else(
         || {
             let absent = [ABSENT[0], 1.0, ABSENT[2], ABSENT[3]];

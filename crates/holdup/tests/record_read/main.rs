@@ -1,0 +1,10 @@
+//! Files as plants have them, and the records in them.
+
+#![expect(clippy::unwrap_used, reason = "helpers of tests")]
+
+mod dialects;
+mod faults;
+mod parquet;
+mod plant_records;
+mod repairs;
+mod sample;
