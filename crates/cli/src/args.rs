@@ -75,6 +75,13 @@ Examples:
   holdup simulate -p K=0.0506,d=6 -c Kc=2.95,Ti=15,Td=3,N=100 --load 100:1
   holdup simulate -p K=0.0506,d=6 -c Kc=1.5321,Td=1.0343,N=100 --csv step.csv --plot step.svg")]
     Simulate(SimulateArgs),
+    /// Look at a plant record: what was read and repaired, what it shows, which part of it to use
+    #[command(after_help = "\
+Examples:
+  holdup survey level.csv
+  holdup survey export.txt --pv LIC101.PV --op LIC101.OP --plot record.png
+  holdup survey rig.csv --time-unit min --pv-span 0:5 --from 13:05 --to 14:30 --json")]
+    Survey(SurveyArgs),
     /// Compare several controllers on several scenarios, from a study file
     #[command(after_help = "\
 Example:
@@ -157,6 +164,67 @@ pub(crate) struct ScenarioArgs {
     /// The output at rest before the first event; when absent, 0
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     pub(crate) initial: Option<String>,
+}
+
+/// A plant record and how to read it. What is not given is found out, and said.
+#[derive(Debug, Args)]
+pub(crate) struct RecordArgs {
+    /// The record: CSV and its relatives, or Parquet
+    #[arg(value_name = "DATA")]
+    pub(crate) data: PathBuf,
+    /// The time column, by name or by number from 1
+    #[arg(long, value_name = "COLUMN")]
+    pub(crate) time: Option<String>,
+    /// The column of the controlled variable
+    #[arg(long, value_name = "COLUMN")]
+    pub(crate) pv: Option<String>,
+    /// The column of the manipulated variable, the controller's output
+    #[arg(long, value_name = "COLUMN")]
+    pub(crate) op: Option<String>,
+    /// The column of the setpoint
+    #[arg(long, value_name = "COLUMN")]
+    pub(crate) sp: Option<String>,
+    /// The column that says manual or automatic
+    #[arg(long, value_name = "COLUMN")]
+    pub(crate) mode: Option<String>,
+    /// A value of that column that means automatic, where it is unusual; repeatable
+    #[arg(long, value_name = "VALUE")]
+    pub(crate) automatic: Vec<String>,
+    /// Unit of a time column of bare numbers: ms, s, min, h, d
+    #[arg(long, value_name = "UNIT")]
+    pub(crate) time_unit: Option<String>,
+    /// Time from row to row, for a file without times
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    pub(crate) sample_period: Option<String>,
+    /// Order of the numbers of a date: ymd, dmy, mdy
+    #[arg(long, value_name = "ORDER")]
+    pub(crate) date_order: Option<String>,
+    /// What separates the fraction of a number: point, comma
+    #[arg(long, value_name = "MARK")]
+    pub(crate) decimal: Option<String>,
+    /// Span of the controlled variable and the setpoint, which are then read in percent of it
+    #[arg(long, value_name = "LOW:HIGH", allow_hyphen_values = true)]
+    pub(crate) pv_span: Option<String>,
+    /// Span of the manipulated variable, which is then read in percent of it
+    #[arg(long, value_name = "LOW:HIGH", allow_hyphen_values = true)]
+    pub(crate) op_span: Option<String>,
+    /// Use the record from here on: seconds from its start, a time of day, or date and time
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    pub(crate) from: Option<String>,
+    /// Use the record to here
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    pub(crate) to: Option<String>,
+}
+
+/// `holdup survey`.
+#[derive(Debug, Args)]
+pub(crate) struct SurveyArgs {
+    /// The record.
+    #[command(flatten)]
+    pub(crate) record: RecordArgs,
+    /// Draw the record with the proposed window; .svg, .png or .html
+    #[arg(long, value_name = "FILE")]
+    pub(crate) plot: Option<PathBuf>,
 }
 
 /// `holdup rules`.

@@ -12,6 +12,7 @@ use std::process::ExitCode;
 
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser};
+use holdup::record::PARQUET_THREAD;
 use holdup::study::output::write_atomically;
 
 use args::Cli;
@@ -25,6 +26,7 @@ const UNMET: u8 = 1;
 const BAD_INPUT: u8 = 2;
 
 fn main() -> ExitCode {
+    keep_silent_about_damaged_files();
     let done = match Cli::try_parse() {
         Ok(cli) => run(&cli),
         Err(error) => no_command(&error),
@@ -37,6 +39,17 @@ fn main() -> ExitCode {
             ExitCode::from(BAD_INPUT)
         }
     }
+}
+
+/// The decoder of Parquet files panics on some damaged ones, which the library turns into an error: the one line of that
+/// error is all there is to say.
+fn keep_silent_about_damaged_files() {
+    let usual = std::panic::take_hook();
+    std::panic::set_hook(Box::new(move |panic| {
+        if std::thread::current().name() != Some(PARQUET_THREAD) {
+            usual(panic);
+        }
+    }));
 }
 
 /// Help and version are answers; the rest is bad input.

@@ -5,11 +5,13 @@ mod compare;
 mod completions;
 mod man;
 mod ranking;
+mod record_input;
 mod region;
 mod reproduce;
 mod rule_page;
 mod rules;
 mod simulate;
+mod survey;
 mod tune;
 mod view;
 
@@ -24,6 +26,7 @@ pub(crate) fn run(command: &Command, console: Console) -> Result<Answer, Fault> 
         Command::Tune(args) => tune::run(args, console),
         Command::Analyse(args) => analyse::run(args, console),
         Command::Region(args) => region::run(args, console),
+        Command::Survey(args) => survey::run(args, console),
         Command::Simulate(args) => simulate::run(args, console),
         Command::Compare(args) => compare::run(args, console),
         Command::Reproduce(args) => reproduce::run(args, console),

@@ -77,7 +77,9 @@ impl Date {
             DateOrder::DayMonthYear => (c, b, a),
             DateOrder::MonthDayYear => (c, a, b),
         };
+        // Four digits say the century; of two, only those behind day and month are taken as a year.
         let year = match year {
+            _ if self.order == Some(DateOrder::YearMonthDay) => year,
             0..=69 => year + 2000,
             70..=99 => year + 1900,
             _ => year,

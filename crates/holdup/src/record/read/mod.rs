@@ -40,6 +40,10 @@ pub use reading::{Found, FoundColumn, Reading, Repair, RepairKind};
 /// The greatest file that is read [bytes]: 1 GiB.
 pub const GREATEST: u64 = 1 << 30;
 
+/// Name of the thread that decodes Parquet files. A panic there is no defect but a damaged file, and comes back as a
+/// [`ReadError::Parquet`]: a program that prints panics may keep silent about this one.
+pub const PARQUET_THREAD: &str = "parquet decoder";
+
 /// Reads a file: CSV and its relatives, or Parquet, told apart by their content.
 ///
 /// # Errors

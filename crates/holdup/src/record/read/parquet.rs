@@ -15,7 +15,7 @@ use super::dialect::{kind, split_unit};
 use super::error::ReadError;
 use super::reading::Reading;
 use super::rows::MOST_COLUMNS;
-use super::{ReadOptions, roles};
+use super::{PARQUET_THREAD, ReadOptions, roles};
 
 /// Rows of the sample that says what text columns hold.
 const SAMPLE: usize = 200;
@@ -27,8 +27,17 @@ fn refuse(error: impl std::fmt::Display) -> ReadError {
     ReadError::Parquet(error.to_string())
 }
 
-/// Reads a Parquet file.
+/// Reads a Parquet file, on a thread of its own: the decoder stops with a panic on some damaged files, which ends that
+/// thread and becomes an error here.
 pub(super) fn reading(bytes: &[u8], options: &ReadOptions) -> Result<Reading, ReadError> {
+    std::thread::scope(|scope| {
+        let thread = std::thread::Builder::new().name(PARQUET_THREAD.to_owned());
+        let decoder = thread.spawn_scoped(scope, || decoded(bytes, options))?;
+        decoder.join().unwrap_or_else(|_| Err(refuse("it is damaged")))
+    })
+}
+
+fn decoded(bytes: &[u8], options: &ReadOptions) -> Result<Reading, ReadError> {
     let bytes = bytes::Bytes::copy_from_slice(bytes);
     let open = || ParquetRecordBatchReaderBuilder::try_new(bytes.clone()).map_err(refuse);
     let builder = open()?;
