@@ -21,4 +21,4 @@ pub(crate) use joint::{Joint, exact, joint, starting_noises};
 pub(crate) use noise::{Whitener, restricted_likelihood};
 pub(crate) use problem::{Fit, Problem, Whitened};
 pub(crate) use search::{polish, search};
-pub(crate) use squares::{Basis, dot, norm, solve};
+pub(crate) use squares::{Basis, dot, generalised, solve};

@@ -149,6 +149,11 @@ impl Whitener {
 }
 
 impl Whitener {
+    /// Standard deviation of the last row's innovation [output unit].
+    pub(crate) fn innovation(&self) -> f64 {
+        self.rows.last().map_or(1.0, |row| 1.0 / row.inverse)
+    }
+
     /// The transposed filter: what the weights of whitened rows are as weights of the rows themselves.
     pub(crate) fn transposed(&self, mut weights: Vec<f64>) -> Vec<f64> {
         if self.white {

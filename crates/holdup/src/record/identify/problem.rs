@@ -39,6 +39,11 @@ impl<'r> Problem<'r> {
         Self { response, ..self.clone() }
     }
 
+    /// The same rows with another input.
+    pub(crate) fn with_input(&self, record: &'r Record, samples: &[f64]) -> Self {
+        Self { input: Input::new(record.time(), samples, Hold::Constant), ..self.clone() }
+    }
+
     fn in_blocks(&self, rows: Vec<f64>) -> Vec<f64> {
         if self.block == 1 {
             return rows;
@@ -50,6 +55,11 @@ impl<'r> Problem<'r> {
     /// A shape of the input, so much later.
     pub(crate) fn column(&self, shape: Shape, delay: f64) -> Vec<f64> {
         self.in_blocks(self.input.column(shape, delay, self.sample_times))
+    }
+
+    /// A shape of the input, so much later, at any times in order.
+    pub(crate) fn at_times(&self, shape: Shape, delay: f64, times: &[f64]) -> Vec<f64> {
+        self.input.column(shape, delay, times)
     }
 
     /// The columns of the initial state and of the load.

@@ -109,6 +109,23 @@ pub(crate) fn solve(mut matrix: Vec<Vec<f64>>, mut right: Vec<f64>) -> Option<Ve
     Some(right)
 }
 
+/// What the columns say of the response by whitened least squares, as a column.
+pub(crate) fn generalised(
+    whitener: &super::noise::Whitener,
+    columns: &[Vec<f64>],
+    response: &[f64],
+) -> Vec<f64> {
+    let white: Vec<Vec<f64>> = columns.iter().map(|column| whitener.whiten(column.clone())).collect();
+    let right = whitener.whiten(response.to_vec());
+    let normal = white.iter().map(|a| white.iter().map(|b| dot(a, b)).collect()).collect();
+    let weights = solve(normal, white.iter().map(|a| dot(a, &right)).collect()).unwrap_or_default();
+    let mut sum = vec![0.0; response.len()];
+    for (weight, column) in weights.iter().zip(columns) {
+        sum.iter_mut().zip(column).for_each(|(sum, value)| *sum += weight * value);
+    }
+    sum
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
