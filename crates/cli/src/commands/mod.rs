@@ -3,11 +3,14 @@
 mod analyse;
 mod compare;
 mod completions;
+mod identify;
 mod man;
 mod ranking;
 mod record_input;
 mod region;
+mod relay;
 mod reproduce;
+mod retune;
 mod rule_page;
 mod rules;
 mod simulate;
@@ -30,6 +33,8 @@ pub(crate) fn run(command: &Command, console: Console) -> Result<Answer, Fault> 
         Command::Simulate(args) => simulate::run(args, console),
         Command::Compare(args) => compare::run(args, console),
         Command::Reproduce(args) => reproduce::run(args, console),
+        Command::Relay(args) => relay::run(args, console),
+        Command::Identify(args) => identify::run(args, console),
         Command::Completions(args) => completions::run(args),
         Command::Man => man::run(),
     }

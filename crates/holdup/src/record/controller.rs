@@ -54,6 +54,8 @@ pub struct RunningController {
     pub span_rows: usize,
     /// Rows between the controlled variable and the controller's answer to it.
     pub delay_rows: usize,
+    /// Whether the integral goes on between the rows: the controller runs more often than rows are written.
+    pub between_rows: bool,
 }
 
 /// How the integral is taken between rows.
@@ -130,6 +132,7 @@ struct Signals {
     moves: bool,
     time: Vec<f64>,
     has_setpoint: bool,
+    between_rows: bool,
 }
 
 impl Signals {
@@ -167,6 +170,7 @@ impl Signals {
             moves,
             time: time.to_vec(),
             has_setpoint: setpoint.is_some(),
+            between_rows: sum == Sum::Trapezoid,
         }
     }
 
@@ -255,6 +259,7 @@ impl Signals {
             explained: regression.explained,
             span_rows: span,
             delay_rows: delay,
+            between_rows: self.between_rows && structure != "P",
         })
     }
 }

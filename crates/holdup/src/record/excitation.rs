@@ -85,6 +85,8 @@ pub(crate) struct Outside {
     pub(crate) relative_deviation: f64,
     /// Distance of the estimate by instruments from the fit, in standard deviations.
     pub(crate) disagreement: f64,
+    /// Variances of gain and dead time over those of the fit, which uses the answer of the controller to the noise too.
+    pub(crate) excess: [f64; 2],
 }
 
 /// What the movement from outside says about the fit; the loop is run with the recovered controller.
@@ -110,7 +112,7 @@ pub(crate) fn outside(
         Drive { setpoint: &setpoint, by_hand: &by_hand, load: &nothing, disturbance: &nothing, limits };
     let (_, moved) = run(&law, joint.fit, time, &drive);
     if moved.iter().any(|value| !value.is_finite()) {
-        return Outside { relative_deviation: f64::INFINITY, disagreement: 0.0 };
+        return Outside { relative_deviation: f64::INFINITY, disagreement: 0.0, excess: [1.0; 2] };
     }
     // Gain and dead time by the columns that the movement from outside makes.
     let fit = &joint.fit;
@@ -140,6 +142,11 @@ pub(crate) fn outside(
     let gain_variance =
         if determinant > 1e-9 * zz * ss { variance * ss / determinant } else { variance / zz };
     let deviation = gain_variance.sqrt();
+    let [vv, vs, ww] =
+        [dot(&columns[0], &columns[0]), dot(&columns[0], &columns[1]), dot(&columns[1], &columns[1])];
+    let whole = vv * ww - vs * vs;
+    let excess = [ss / determinant * whole / ww, zz / determinant * whole / vv]
+        .map(|excess| if excess.is_finite() { excess.max(1.0) } else { 1.0 });
     let cross = |a: usize, b: usize| dot(&instruments[a], &columns[b]);
     let [a, b, c, d] = [cross(0, 0), cross(0, 1), cross(1, 0), cross(1, 1)];
     let [p, q] = [dot(&instruments[0], &residual), dot(&instruments[1], &residual)];
@@ -148,6 +155,7 @@ pub(crate) fn outside(
     Outside {
         relative_deviation: if deviation.is_finite() { deviation / fit.gain.abs() } else { f64::INFINITY },
         disagreement: if disagreement.is_finite() { disagreement } else { 0.0 },
+        excess,
     }
 }
 

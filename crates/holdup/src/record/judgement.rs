@@ -6,12 +6,12 @@ use super::advice::safe_test;
 use super::confidence::{Confidence, Inflations, Profile, inflations, open_ended};
 use super::controller::{RunningController, recover};
 use super::diagnosis::diagnose;
-use super::excitation::{Excitation, outside};
+use super::excitation::{Excitation, Outside, outside};
 use super::identification::{
     Candidate, FitQuality, Identification, IdentifiedProcess, IdentifyOptions, Verdict,
 };
 use super::identify::{
-    Joint, Kind, Noise, Problem, Whitened, exact, greatest_dead_time, joint, starting_noises,
+    Hold, Joint, Kind, Noise, Problem, Whitened, exact, greatest_dead_time, joint, starting_noises,
 };
 use super::load::recover_load;
 use super::{CompressionKind, Record, Survey};
@@ -337,11 +337,26 @@ fn judge(
     let Found { problem, joint, greatest, .. } = found;
     let without_noise = exact(problem, &joint.fit);
     let (resolution, rounded) = if without_noise { (0.0, None) } else { resolution(survey, &joint.noise) };
-    let inflation = inflations(problem, joint, resolution);
+    let mut inflation = inflations(problem, joint, resolution);
+    let outside = answer
+        .controller
+        .as_ref()
+        .filter(|_| answer.excitation.closed_loop)
+        .map(|controller| outside(record, problem, joint, controller));
+    if let Some(outside) = &outside {
+        // What the controller's answer to the noise says holds only as far as the noise model does: it does not count.
+        inflation.gain.factor *= outside.excess[0];
+        inflation.dead_time.factor *= outside.excess[1];
+    }
     let whitener = joint.whitener(problem);
     let whitened = Whitened::new(problem, &whitener, joint.fit.kind);
     let profile = Profile::new(&whitened, joint, *greatest, inflation);
-    let confidence = profile.confidence();
+    let mut confidence = profile.confidence();
+    let between = answer.controller.as_ref().is_some_and(|controller| controller.between_rows);
+    if answer.excitation.closed_loop && between && options.hold == Hold::Constant {
+        // The input that the rows show as steps moved between them, on average half a row earlier.
+        confidence.dead_time[1] += found.step / 2.0;
+    }
     answer.candidates = found
         .candidates
         .iter()
@@ -353,7 +368,8 @@ fn judge(
         .collect();
     answer.choice.clone_from(&found.choice);
     answer.fit = Some(quality(found, &whitened));
-    let (verdict, reasons) = verdict(answer, found, record, &confidence, &inflation, rounded.as_deref());
+    let (verdict, reasons) =
+        verdict(answer, found, outside.as_ref(), &confidence, &inflation, rounded.as_deref());
     answer.verdict = verdict;
     answer.reasons = reasons;
     if verdict != Verdict::Identified {
@@ -377,7 +393,7 @@ fn judge(
 fn verdict(
     answer: &Identification,
     found: &Found<'_>,
-    record: &Record,
+    outside: Option<&Outside>,
     confidence: &Confidence,
     inflation: &Inflations,
     rounded: Option<&str>,
@@ -407,9 +423,8 @@ fn verdict(
         good.push(format!("the dead time lies between {least:.4} s and {most:.4} s"));
     }
     if answer.excitation.closed_loop {
-        match &answer.controller {
-            Some(controller) => {
-                let outside = outside(record, problem, joint, controller);
+        match outside {
+            Some(outside) => {
                 let text = format!(
                     "what came from outside ({}) alone tells the process gain to a standard deviation of {:.0} %",
                     answer.excitation.text(),

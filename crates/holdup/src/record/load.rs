@@ -59,7 +59,7 @@ fn moving_slope(time: &[f64], values: &[f64], window: f64) -> Vec<f64> {
     let (mut from, mut to) = (0, 0);
     // n, Σt, Σt², Σy, Σty, with times from the first row.
     let mut sums = [0.0; 5];
-    let mut add = |sums: &mut [f64; 5], k: usize, sign: f64| {
+    let add = |sums: &mut [f64; 5], k: usize, sign: f64| {
         let (t, y) = (time[k] - time[0], values[k]);
         for (sum, value) in sums.iter_mut().zip([1.0, t, t * t, y, t * y]) {
             *sum += sign * value;

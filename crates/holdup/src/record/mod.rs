@@ -10,7 +10,9 @@ pub mod identify;
 mod judgement;
 mod load;
 mod read;
+pub mod relay;
 mod replay;
+mod retuning;
 mod samples;
 mod survey;
 
@@ -26,6 +28,7 @@ pub use read::{
     DateOrder, DecimalMark, Found, FoundColumn, GREATEST, PARQUET_THREAD, Place, ReadError, ReadOptions,
     Reading, Repair, RepairKind, TimeFormat, read, read_bytes,
 };
+pub use retuning::{Replay, RetuneError, Retuning, Worst, retune, running_controller};
 pub use samples::{Operation, Record, RecordError};
 pub use survey::{
     Compression, CompressionKind, Gap, Limit, Move, Noise, OperationShares, Oscillation, Quantisation,

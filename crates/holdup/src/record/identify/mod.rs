@@ -16,9 +16,9 @@ pub use kind::{Hold, Kind, Load};
 pub use noise::Noise;
 pub use point::{PointError, PointFit, greatest_dead_time, point_fit};
 
-pub(crate) use input::{Input, Shape};
+pub(crate) use input::Shape;
 pub(crate) use joint::{Joint, exact, joint, starting_noises};
-pub(crate) use noise::{Whitener, restricted_likelihood};
+pub(crate) use noise::Whitener;
 pub(crate) use problem::{Fit, Problem, Whitened};
-pub(crate) use search::{polish, search};
+pub(crate) use search::polish;
 pub(crate) use squares::{Basis, dot, generalised, solve};

@@ -296,8 +296,8 @@ mod tests {
                 value
             })
             .collect();
-        let of = super::super::Input::new(&time, &input, Hold::Constant);
-        let mut level = of.column(super::super::Shape::Integral, dead_time, &time);
+        let of = super::super::input::Input::new(&time, &input, Hold::Constant);
+        let mut level = of.column(super::super::input::Shape::Integral, dead_time, &time);
         for (value, t) in level.iter_mut().zip(&time) {
             *value = 0.02 * *value + 5.0 + 0.001 * t + noise * random.random_range(-1.0..1.0);
         }

@@ -3,6 +3,8 @@
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
+use super::input::Input;
+use super::search::search;
 use super::*;
 use crate::record::Record;
 
