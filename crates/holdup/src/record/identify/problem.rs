@@ -34,11 +34,6 @@ impl<'r> Problem<'r> {
         problem
     }
 
-    /// The same problem with another response at its rows.
-    pub(crate) fn with_response(&self, response: Vec<f64>) -> Self {
-        Self { response, ..self.clone() }
-    }
-
     /// The same rows with another input.
     pub(crate) fn with_input(&self, record: &'r Record, samples: &[f64]) -> Self {
         Self { input: Input::new(record.time(), samples, Hold::Constant), ..self.clone() }
