@@ -130,6 +130,18 @@ Examples:
       --limits 0:100 --rate-limit 10 --failure-time 60 --safe-output 20 --name level_d205 --output level_d205.c
   holdup export loop.toml --sample-period 100ms --language st --float f32")]
     Export(ExportArgs),
+    /// Find gain and dead time of an integrating process from a relay test, exactly
+    #[command(after_help = "\
+Examples:
+  holdup relay --high 55 --low 45 --high-time 40s --low-time 52s --swing 1.8 --hysteresis 0.2
+  holdup relay --data relay-test.csv --pv level --op valve")]
+    Relay(RelayArgs),
+    /// Find gain and dead time, the controller that was running, and the load in a plant record
+    #[command(after_help = "\
+Examples:
+  holdup identify export.csv
+  holdup identify export.csv --pv LIC1.PV --op LIC1.OP --sp LIC1.SP --tune --report lic1.html")]
+    Identify(IdentifyArgs),
     /// Write the completion script of a shell to standard output
     #[command(
         after_help = "Example:\n  holdup completions bash > ~/.local/share/bash-completion/completions/holdup"
@@ -302,6 +314,73 @@ pub(crate) struct SurveyArgs {
     /// Draw the record with the proposed window; .svg, .png or .html
     #[arg(long, value_name = "FILE")]
     pub(crate) plot: Option<PathBuf>,
+}
+
+/// `holdup identify`.
+#[derive(Debug, Args)]
+pub(crate) struct IdentifyArgs {
+    /// The record.
+    #[command(flatten)]
+    pub(crate) record: RecordArgs,
+    /// The kind of process: integrating, integrating-with-lag, double-integrating, first-order; chosen when absent
+    #[arg(long, value_name = "KIND")]
+    pub(crate) model: Option<String>,
+    /// The greatest dead time that is looked for; when absent, a quarter of the record and at most 2000 rows
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    pub(crate) max_dead_time: Option<String>,
+    /// How the manipulated variable goes between rows: constant, linear
+    #[arg(long, value_name = "HOLD", default_value = "constant")]
+    pub(crate) hold: String,
+    /// What the load is taken for beside its random part: constant, drifting
+    #[arg(long, value_name = "LOAD", default_value = "constant")]
+    pub(crate) load: String,
+    /// How far the controlled variable may move in a test; when absent, half its range in the record
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    pub(crate) excursion: Option<String>,
+    /// Tune a controller, with its margins over the whole confidence region and a replay of the record
+    #[arg(long)]
+    pub(crate) tune: bool,
+    /// The rule that --tune uses
+    #[arg(long, value_name = "ID", default_value = "pi-simc", requires = "tune")]
+    pub(crate) rule: String,
+    /// Write one self-contained page: record, fit, controller, load, before and after
+    #[arg(long, value_name = "FILE.html")]
+    pub(crate) report: Option<PathBuf>,
+}
+
+/// `holdup relay`.
+#[derive(Debug, Args)]
+pub(crate) struct RelayArgs {
+    /// Upper value of the relay
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true, conflicts_with = "data")]
+    pub(crate) high: Option<String>,
+    /// Lower value of the relay
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true, conflicts_with = "data")]
+    pub(crate) low: Option<String>,
+    /// Time at the upper value in one period
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true, conflicts_with = "data")]
+    pub(crate) high_time: Option<String>,
+    /// Time at the lower value in one period
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true, conflicts_with = "data")]
+    pub(crate) low_time: Option<String>,
+    /// Period, where the two times are equal
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true, conflicts_with_all = ["data", "high_time", "low_time"])]
+    pub(crate) period: Option<String>,
+    /// Swing of the controlled variable from trough to peak
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true, conflicts_with = "data")]
+    pub(crate) swing: Option<String>,
+    /// How far the controlled variable passes the setpoint before the relay switches; when absent, 0
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    pub(crate) hysteresis: Option<String>,
+    /// The relay test as a record, instead of numbers
+    #[arg(long, value_name = "FILE")]
+    pub(crate) data: Option<PathBuf>,
+    /// The column of the controlled variable in it
+    #[arg(long, value_name = "COLUMN", requires = "data")]
+    pub(crate) pv: Option<String>,
+    /// The column of the manipulated variable in it
+    #[arg(long, value_name = "COLUMN", requires = "data")]
+    pub(crate) op: Option<String>,
 }
 
 /// `holdup rules`.

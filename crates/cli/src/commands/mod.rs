@@ -7,12 +7,15 @@ mod compare;
 mod completions;
 mod convert;
 mod export;
+mod identify;
 mod man;
 pub(crate) mod optimise;
 mod ranking;
 mod record_input;
 mod region;
+mod relay;
 mod reproduce;
+mod retune;
 pub(crate) mod robust;
 mod rule_page;
 mod rules;
@@ -41,6 +44,8 @@ pub(crate) fn run(command: &Command, console: Console) -> Result<Answer, Fault> 
         Command::Reproduce(args) => reproduce::run(args, console),
         Command::Convert(args) => convert::run(args, console),
         Command::Export(args) => export::run(args, console),
+        Command::Relay(args) => relay::run(args, console),
+        Command::Identify(args) => identify::run(args, console),
         Command::Completions(args) => completions::run(args),
         Command::Man => man::run(),
     }

@@ -6,6 +6,8 @@ mod file;
 pub mod output;
 pub mod published;
 #[cfg(feature = "report")]
+pub mod record_report;
+#[cfg(feature = "report")]
 pub mod report;
 mod run;
 pub mod runs;

@@ -1,0 +1,24 @@
+//! Gain, dead time and lag of the process from a record.
+
+mod input;
+mod joint;
+mod kind;
+mod noise;
+mod point;
+mod problem;
+mod search;
+mod squares;
+mod strength;
+#[cfg(test)]
+mod tests;
+
+pub use kind::{Hold, Kind, Load};
+pub use noise::Noise;
+pub use point::{PointError, PointFit, greatest_dead_time, point_fit};
+
+pub(crate) use input::Shape;
+pub(crate) use joint::{Joint, exact, joint, starting_noises};
+pub(crate) use noise::Whitener;
+pub(crate) use problem::{Fit, Problem, Whitened};
+pub(crate) use search::polish;
+pub(crate) use squares::{Basis, dot, generalised, solve};
