@@ -4,6 +4,7 @@ use crate::model::ClosedLoop;
 
 use super::cell::{Cell, Watch};
 use super::error::ResponseError;
+use super::layered::Segment;
 use super::legendre::{derivative, ends, significant, swing, value};
 use super::roots::sign_changes;
 use super::scenario::Scenario;
@@ -51,8 +52,7 @@ pub fn output_extent(
     scenario: &Scenario,
 ) -> Result<Option<OutputExtent>, ResponseError> {
     let system = System::new(closed_loop);
-    let rest = Extreme { value: 0.0, time: 0.0 };
-    let mut gatherer = Gatherer { least: rest, greatest: rest };
+    let mut gatherer = Gatherer::at_rest();
     let outcome = Solver::new(&system).run(scenario, &mut gatherer)?;
     let Gatherer { least, greatest } = gatherer;
     let extent = OutputExtent { least, greatest, impulsive: outcome.impulsive };
@@ -65,6 +65,11 @@ struct Gatherer {
 }
 
 impl Gatherer {
+    fn at_rest() -> Self {
+        let rest = Extreme { value: 0.0, time: 0.0 };
+        Self { least: rest, greatest: rest }
+    }
+
     fn take(&mut self, value: f64, time: f64) {
         if value < self.least.value {
             self.least = Extreme { value, time };
@@ -95,6 +100,13 @@ impl Watch for Gatherer {
                 self.take(value(u, s), time(s));
             }
         }
+    }
+
+    /// Never shown: the run is the one of cells, whose extrema are those of one polynomial.
+    fn segment(&mut self, _: &Segment<'_>) {}
+
+    fn restart(&mut self) {
+        *self = Self::at_rest();
     }
 }
 
