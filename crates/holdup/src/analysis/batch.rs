@@ -25,8 +25,8 @@ const SHARE: usize = 32;
 /// let slower = Process::integrating(0.0506, Seconds(7.0))?;
 /// let load = Scenario::unit_load_step(Seconds(600.0))?;
 /// let results = over_processes(&[nominal, slower], &pi, &load);
-/// let iae: Vec<f64> = results.iter().map(|r| r.as_ref().unwrap().iae.unwrap()).collect();
-/// assert!(iae[0] < iae[1]);
+/// let peak: Vec<f64> = results.iter().map(|r| r.as_ref().unwrap().peak.unwrap()).collect();
+/// assert!(peak[0] < peak[1]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
