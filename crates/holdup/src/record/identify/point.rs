@@ -110,25 +110,45 @@ fn deviation(squares: f64, rows: usize) -> f64 {
     (squares / rows.saturating_sub(4).max(1) as f64).sqrt()
 }
 
+/// Values that are worked on side by side.
+const LANES: usize = 8;
+
 /// Takes the mean and the straight line out of a column over even rows.
 #[expect(clippy::cast_precision_loss, reason = "a number of rows")]
 fn level(column: &mut [f64]) {
     let n = column.len() as f64;
     let middle = (n - 1.0) / 2.0;
+    let spread = n * (n * n - 1.0) / 12.0;
+    // Twice: once leaves rounding of the size of the column.
     for _ in 0..2 {
-        let mut sums = [[0.0; 2]; 4];
-        for (block, values) in column.chunks(4).enumerate() {
-            for (lane, value) in values.iter().enumerate() {
-                let place = (4 * block + lane) as f64 - middle;
-                sums[lane][0] += value;
-                sums[lane][1] += place * value;
+        let (mut sums, mut moments) = ([0.0; LANES], [0.0; LANES]);
+        let mut places: [f64; LANES] = std::array::from_fn(|lane| lane as f64 - middle);
+        let (blocks, rest) = column.as_chunks::<LANES>();
+        for block in blocks {
+            for lane in 0..LANES {
+                sums[lane] += block[lane];
+                moments[lane] += places[lane] * block[lane];
+                places[lane] += LANES as f64;
             }
         }
-        let sum = |k: usize| sums.iter().map(|lane| lane[k]).sum::<f64>();
-        let mean = sum(0) / n;
-        let slope = sum(1) / (n * (n * n - 1.0) / 12.0);
-        for (k, value) in column.iter_mut().enumerate() {
-            *value -= mean + slope * (k as f64 - middle);
+        let (mut sum, mut moment): (f64, f64) = (sums.iter().sum(), moments.iter().sum());
+        for (value, place) in rest.iter().zip(places) {
+            sum += value;
+            moment += place * value;
+        }
+        let slope = moment / spread;
+        let start = sum / n - slope * middle;
+        let mut lines: [f64; LANES] = std::array::from_fn(|lane| start + slope * lane as f64);
+        let (blocks, rest) = column.as_chunks_mut::<LANES>();
+        let mut base = 0.0;
+        for block in blocks {
+            for lane in 0..LANES {
+                block[lane] -= lines[lane] + base;
+            }
+            base += slope * LANES as f64;
+        }
+        for (value, line) in rest.iter_mut().zip(&mut lines) {
+            *value -= *line + base;
         }
     }
 }
@@ -189,9 +209,10 @@ fn best_piece(integral: &[f64], with: &[f64], rows: usize, lags: usize) -> Optio
     let mut moment: f64 = window.iter().enumerate().map(|(i, value)| (i as f64 - middle) * value).sum();
     let mut squares = dot(window, window);
     let mut neighbour = dot(window, &integral[lags - 1..lags - 1 + rows]);
+    let (per_row, per_spread) = (1.0 / n, 1.0 / spread);
     let mut best: Option<(f64, usize, f64)> = None;
     // Own squares, mean and moment at the left end of the piece.
-    let mut left = [squares - sum * sum / n - moment * moment / spread, sum, moment];
+    let mut left = [squares - sum * sum * per_row - moment * moment * per_spread, sum, moment];
     for lag in 0..lags {
         // The window goes back by one row: one value enters at the front, one leaves at the end.
         let start = lags - lag;
@@ -199,8 +220,8 @@ fn best_piece(integral: &[f64], with: &[f64], rows: usize, lags: usize) -> Optio
         moment += sum - leaves * (n - middle) + enters * (0.0 - middle);
         sum += enters - leaves;
         squares += enters * enters - leaves * leaves;
-        let right = [squares - sum * sum / n - moment * moment / spread, sum, moment];
-        let cross = neighbour - left[1] * right[1] / n - left[2] * right[2] / spread;
+        let right = [squares - sum * sum * per_row - moment * moment * per_spread, sum, moment];
+        let cross = neighbour - left[1] * right[1] * per_row - left[2] * right[2] * per_spread;
         if start >= 2 {
             let before = integral[start - 2];
             neighbour += enters * before - integral[start - 1 + rows] * integral[start - 2 + rows];
@@ -208,11 +229,13 @@ fn best_piece(integral: &[f64], with: &[f64], rows: usize, lags: usize) -> Optio
         let (c, b) = (with[lag], with[lag + 1] - with[lag]);
         let (e, g) = (cross - left[0], left[0] - 2.0 * cross + right[0]);
         let f = ((c * e - b * left[0]) / (b * e - c * g)).clamp(0.0, 1.0);
+        // The right end is the left end of the next piece.
         for f in [0.0, if f.is_nan() { 1.0 } else { f }] {
             let own = left[0] + f * (2.0 * e + f * g);
-            let score = (c + b * f) * (c + b * f) / own;
-            if own > 0.0 && best.is_none_or(|(most, ..)| score > most) {
-                best = Some((score, lag, f));
+            let with = c + b * f;
+            let better = own > 0.0 && with * with > own * best.map_or(0.0, |(score, ..)| score);
+            if better {
+                best = Some((with * with / own, lag, f));
             }
         }
         left = right;
@@ -228,7 +251,12 @@ fn correlation(integral: &[f64], response: &[f64], lags: usize) -> Vec<f64> {
     }
     // Long records in blocks that stay in the cache; the spectra of their correlations add up.
     let block = (4 * lags).next_power_of_two().max(1024);
-    let length = if block < rows + lags { block } else { fast_length(rows + lags) };
+    let whole = fast_length(rows + lags);
+    // Two transforms for each block and one back, against three of the whole.
+    let work = |length: usize, transforms: usize| transforms * length * length.ilog2() as usize;
+    let blocks = rows.div_ceil(block - lags);
+    let in_blocks = block < whole && work(block, 2 * blocks + 1) < work(whole, 3);
+    let length = if in_blocks { block } else { whole };
     let taken = length - lags;
     PLANNER.with_borrow_mut(|planner| {
         let (forward, inverse) = (planner.plan_fft_forward(length), planner.plan_fft_inverse(length));
