@@ -26,12 +26,11 @@ pub(crate) fn run(args: &IdentifyArgs, console: Console) -> Result<Answer, Fault
     let reading = record_input::reading(&args.record)?;
     reading.moves().map_err(|error| record_input::fault(&args.record.data, &error))?;
     let given = record_input::window(&args.record, &reading)?;
-    let (rows, why) = match given {
-        Some(rows) => (rows, "--from and --to".to_owned()),
-        None => {
-            let window = Survey::of(&reading.record).window;
-            (window.from..window.to, window.reason)
-        }
+    let (rows, why) = if let Some(rows) = given {
+        (rows, "--from and --to".to_owned())
+    } else {
+        let window = Survey::of(&reading.record).window;
+        (window.from..window.to, window.reason)
     };
     let record = reading.record.rows(rows.start, rows.end).map_err(Fault::input)?;
     let answer = identify(&record, &options)

@@ -175,7 +175,7 @@ impl Signals {
     }
 
     /// Changes over `span` rows of a signal, where all rows between are usable.
-    fn changes(&self, of: &[f64], span: usize, starts: &[usize]) -> Vec<f64> {
+    fn changes(of: &[f64], span: usize, starts: &[usize]) -> Vec<f64> {
         starts.iter().map(|&k| of[k + span] - of[k]).collect()
     }
 
@@ -191,9 +191,9 @@ impl Signals {
         if starts.len() < 30.max(4 * span) {
             return None;
         }
-        let response = self.changes(&self.output, span, &starts);
+        let response = Self::changes(&self.output, span, &starts);
         let [level, integral, rate, setpoint] =
-            [0, 1, 2, 3].map(|k| self.changes(&self.inputs[k], span, &starts));
+            [0, 1, 2, 3].map(|k| Self::changes(&self.inputs[k], span, &starts));
         let together: Vec<f64> = level.iter().zip(&setpoint).map(|(y, r)| y + r).collect();
         // Without a setpoint its place is an unknown constant: e is known up to one, ∫e up to a straight line.
         let bias: Vec<f64> = starts.iter().map(|&k| self.time[k + span] - self.time[k]).collect();
@@ -202,7 +202,7 @@ impl Signals {
             if with_integral && !self.has_setpoint {
                 columns.push(bias.clone());
             }
-            Regression::robust(columns, &response, span)
+            Regression::robust(&columns, &response, span)
         };
         let p = fit(vec![&together], false)?;
         let mut chosen = (p, "P");
@@ -276,7 +276,7 @@ struct Regression {
 
 impl Regression {
     /// Weighted least squares with the weights of P. J. Huber, Ann. Math. Statist. 35 (1964) 73, three rounds.
-    fn robust(columns: Vec<Vec<f64>>, response: &[f64], span: usize) -> Option<Self> {
+    fn robust(columns: &[Vec<f64>], response: &[f64], span: usize) -> Option<Self> {
         let mut weights = vec![1.0; response.len()];
         let mut found = None;
         for _ in 0..4 {
@@ -289,7 +289,7 @@ impl Regression {
             let coefficients = solve(normal.clone(), right)?;
             let residual: Vec<f64> = (0..response.len())
                 .map(|row| {
-                    response[row] - coefficients.iter().zip(&columns).map(|(c, x)| c * x[row]).sum::<f64>()
+                    response[row] - coefficients.iter().zip(columns).map(|(c, x)| c * x[row]).sum::<f64>()
                 })
                 .collect();
             let squares = weighted(&residual, &residual);

@@ -199,7 +199,13 @@ impl<'r> Found<'r> {
             let shorter = (1.5 * ends[1] + 5.0 * step).min(greatest);
             if shorter < 0.8 * greatest {
                 greatest = shorter;
-                block = block.min(((shorter / step / 4.0).floor().max(1.0)) as usize);
+                #[expect(
+                    clippy::cast_possible_truncation,
+                    clippy::cast_sign_loss,
+                    reason = "from 1 to some thousand"
+                )]
+                let most = (shorter / step / 4.0).floor().max(1.0) as usize;
+                block = block.min(most);
                 problem = of(greatest, block);
                 plain = joint(&problem, first, step, greatest, &[plain.noise, Noise::WHITE])?;
             }
@@ -213,7 +219,7 @@ impl<'r> Found<'r> {
         // A working loop has K·Kc > 0, so a candidate of the other sign is none.
         let sign = excitation.sign * f64::from(u8::from(excitation.closed_loop));
         candidates.retain(|joint| joint.fit.kind == first || sign * joint.fit.gain >= 0.0);
-        let (candidates, choice) = choose(&problem, candidates);
+        let (candidates, choice) = choose(&problem, &candidates);
         Some(Self { joint: candidates[0].0, problem, candidates, choice, greatest, step, block })
     }
 
@@ -235,7 +241,7 @@ fn at_rest(record: &Record, closed_loop: bool) -> bool {
 }
 
 /// Orders the candidates by Schwarz's criterion, the plain integrator in front unless another is clearly better.
-fn choose(problem: &Problem<'_>, joints: Vec<Joint>) -> (Vec<(Joint, f64)>, String) {
+fn choose(problem: &Problem<'_>, joints: &[Joint]) -> (Vec<(Joint, f64)>, String) {
     #[expect(clippy::cast_precision_loss, reason = "a number of rows")]
     let rows = problem.len() as f64;
     let criterion = |joint: &Joint| {
@@ -303,8 +309,26 @@ fn process_of(joint: &Joint) -> IdentifiedProcess {
     }
 }
 
+/// The typical step from one archived point to the next, where rows between them lie on straight lines: an archive keeps a
+/// point when it is farther off than its band, so that the band is not wider.
+fn archived_step(record: &Record) -> f64 {
+    let (time, values) = (record.time(), record.controlled_variable());
+    let slope = |k: usize| (values[k + 1] - values[k]) / (time[k + 1] - time[k]);
+    let bends = |k: &usize| {
+        let (before, after) = (slope(k - 1), slope(*k));
+        (after - before).abs() > 1e-6 * before.abs().max(after.abs())
+    };
+    let corners: Vec<f64> = (1..values.len() - 1).filter(bends).map(|k| values[k]).collect();
+    let mut steps: Vec<f64> = corners.windows(2).map(|pair| (pair[1] - pair[0]).abs()).collect();
+    if steps.is_empty() {
+        return 0.0;
+    }
+    let middle = steps.len() / 2;
+    *steps.select_nth_unstable_by(middle, f64::total_cmp).1
+}
+
 /// How far single rows are from the truth by what the historian did, where that is above the noise.
-fn resolution(survey: &Survey, noise: &Noise) -> (f64, Option<String>) {
+fn resolution(record: &Record, survey: &Survey, noise: &Noise) -> (f64, Option<String>) {
     let signal = &survey.controlled_variable;
     let spread = noise.white.hypot(noise.coloured);
     if let Some(compression) = &signal.compression
@@ -312,7 +336,7 @@ fn resolution(survey: &Survey, noise: &Noise) -> (f64, Option<String>) {
         && compression.share > 0.1
     {
         let text = format!("the controlled variable was compressed ({})", compression.evidence);
-        return (spread.max(signal.noise.map_or(0.0, |noise| noise.standard_deviation)), Some(text));
+        return (spread.max(archived_step(record)), Some(text));
     }
     match &signal.quantisation {
         Some(quantisation) if quantisation.quantum > spread => {
@@ -336,7 +360,8 @@ fn judge(
 ) {
     let Found { problem, joint, greatest, .. } = found;
     let without_noise = exact(problem, &joint.fit);
-    let (resolution, rounded) = if without_noise { (0.0, None) } else { resolution(survey, &joint.noise) };
+    let (resolution, rounded) =
+        if without_noise { (0.0, None) } else { resolution(record, survey, &joint.noise) };
     let mut inflation = inflations(problem, joint, resolution);
     let outside = answer
         .controller

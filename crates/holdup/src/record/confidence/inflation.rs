@@ -28,6 +28,9 @@ pub(crate) struct Inflation {
     pub(crate) bias: f64,
 }
 
+/// The noise with one of its parts at another strength.
+type Vary = fn(&Noise, f64) -> Noise;
+
 /// The inflation of gain and of dead time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Inflations {
@@ -137,7 +140,6 @@ pub(crate) fn inflations(problem: &Problem<'_>, joint: &Joint, resolution: f64) 
     let total = noise.white.hypot(noise.coloured).max(noise.walk * step.sqrt());
     let longest = problem.span() / 6.0;
     // Each part with the unit in which it begins to matter.
-    type Vary = fn(&Noise, f64) -> Noise;
     let parts: [(Vary, f64, f64); 4] = [
         (|n, s| Noise { coloured: s, ..*n }, noise.coloured, 0.05 * total),
         (|n, s| Noise { walk: s, ..*n }, noise.walk, 0.002 * total / step.sqrt()),

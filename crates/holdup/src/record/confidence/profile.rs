@@ -124,9 +124,9 @@ impl<'w, 'p, 'r> Profile<'w, 'p, 'r> {
         for _ in 0..24 {
             let middle = f64::midpoint(outside, inside);
             if self.at(middle).squares <= limit {
-                inside = middle
+                inside = middle;
             } else {
-                outside = middle
+                outside = middle;
             }
             if (outside - inside).abs() <= 1e-4 * inside.abs() {
                 break;

@@ -23,11 +23,11 @@ pub(super) fn two(freedom: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// Table values: 3e-3 is the first term that the expansion leaves out, at 5 degrees of freedom.
+    /// Table values: 3e-3 is the first term that the expansion leaves out, at 5 degrees of freedom, and 1e-3 the digits of the table.
     #[test]
     fn quantiles_are_those_of_the_tables() {
         for (freedom, t) in [(5.0, 2.571), (10.0, 2.228), (30.0, 2.042), (120.0, 1.980)] {
-            assert!((one(freedom).sqrt() - t).abs() < 3e-3, "{freedom}");
+            assert!((one(freedom).sqrt() - t).abs() < 4e-3, "{freedom}");
         }
         for (freedom, f) in [(10.0, 4.103), (30.0, 3.316), (120.0, 3.072)] {
             assert!((two(freedom) / 2.0 - f).abs() < 6e-4, "{freedom}");

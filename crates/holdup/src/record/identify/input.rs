@@ -34,11 +34,10 @@ impl Shape {
     /// The shape of the derivative with respect to time.
     pub(crate) fn rate(self) -> Self {
         match self {
-            Self::Integral => Self::Value,
+            Self::Integral | Self::Value => Self::Value,
             Self::LaggedIntegral(lag) => Self::Lag(lag),
             Self::DoubleIntegral => Self::Integral,
             Self::Lag(lag) | Self::LagRate(lag) => Self::LagRate(lag),
-            Self::Value => Self::Value,
         }
     }
 }

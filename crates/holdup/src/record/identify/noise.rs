@@ -132,7 +132,9 @@ impl Whitener {
     /// The innovations of a column, each over its standard deviation.
     pub(crate) fn whiten(&self, mut column: Vec<f64>) -> Vec<f64> {
         if self.white {
-            column.iter_mut().for_each(|value| *value *= self.rows[0].inverse);
+            for value in &mut column {
+                *value *= self.rows[0].inverse;
+            }
             return column;
         }
         let (mut a, mut b, mut c) = (0.0, 0.0, 0.0);
@@ -157,7 +159,9 @@ impl Whitener {
     /// The transposed filter: what the weights of whitened rows are as weights of the rows themselves.
     pub(crate) fn transposed(&self, mut weights: Vec<f64>) -> Vec<f64> {
         if self.white {
-            weights.iter_mut().for_each(|value| *value *= self.rows[0].inverse);
+            for value in &mut weights {
+                *value *= self.rows[0].inverse;
+            }
             return weights;
         }
         // The adjoint runs backwards: how what follows depends on the states after each row.

@@ -140,13 +140,11 @@ impl<'p, 'r> Whitened<'p, 'r> {
 
     /// The best with this dead time and lag.
     pub(crate) fn at(&self, dead_time: f64, lag: f64) -> Fit {
-        match &self.fixed {
-            Some((basis, response)) => self.at_with(basis, response, dead_time, lag),
-            None => {
-                let (basis, response) = self.rest(lag);
-                self.at_with(&basis, &response, dead_time, lag)
-            }
+        if let Some((basis, response)) = &self.fixed {
+            return self.at_with(basis, response, dead_time, lag);
         }
+        let (basis, response) = self.rest(lag);
+        self.at_with(&basis, &response, dead_time, lag)
     }
 
     /// The best with this dead time and lag, from what [`Whitened::rest`] gives for the lag.

@@ -160,7 +160,9 @@ fn gauss_newton(whitened: &Whitened<'_, '_>, at: &Fit, free: bool) -> Option<[f6
     let mut slopes = Vec::new();
     if free {
         let mut slope = whitened.column(shape.rate(), at.dead_time);
-        slope.iter_mut().for_each(|value| *value *= -at.gain);
+        for value in &mut slope {
+            *value *= -at.gain;
+        }
         slopes.push(basis.projected(slope));
     }
     if whitened.kind.has_lag() {

@@ -31,7 +31,9 @@ impl Basis {
             return false;
         }
         self.log_determinant += 2.0 * left.ln();
-        column.iter_mut().for_each(|value| *value /= left);
+        for value in &mut column {
+            *value /= left;
+        }
         self.columns.push(column);
         true
     }
