@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use serde_json::{Value, json};
 
-// mod identification; // with record::identify
+mod identification;
 mod many;
 mod peer;
 mod single;
@@ -23,7 +23,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         ["horizon"] => single::horizon(),
         ["processes", count, threads] => many::processes(count.parse()?, threads.parse()?),
         ["controllers", count, threads] => many::controllers(count.parse()?, threads.parse()?),
-        ["identify", _file] => Err("this build has no record::identify".into()),
+        ["identify", file] => identification::run(file),
         _ => Err("usage: single | crate | horizon | processes COUNT THREADS | controllers COUNT THREADS | \
              identify FILE"
             .into()),

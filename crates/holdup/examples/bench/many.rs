@@ -4,9 +4,10 @@ use std::error::Error;
 use std::fs::read_to_string;
 use std::time::Instant;
 
+use holdup::analysis::batch::over_processes;
 use holdup::analysis::frequency::margins;
-use holdup::analysis::response::{Scenario, simulate};
-use holdup::model::{ClosedLoop, Controller};
+use holdup::analysis::response::Scenario;
+use holdup::model::{ClosedLoop, Controller, Process};
 use rayon::prelude::*;
 use serde_json::json;
 
@@ -20,16 +21,13 @@ const LISTED: usize = 20;
 type Four = [Option<f64>; 4];
 
 /// Integrals of the loops 0…count.
-// The batch interface goes here, and nowhere else.
 fn integrals_of(count: u64, controller: &Controller, scenario: &Scenario) -> Vec<Four> {
-    let one = |index| -> Result<Four, Box<dyn Error>> {
-        let closed = ClosedLoop::new(&perturbed(index)?, controller);
-        Ok(integrals(&simulate(&closed, scenario)?.metrics))
-    };
-    (0..count).into_par_iter().map(|index| one(index).unwrap_or_default()).collect()
+    let processes: Vec<Process> = (0..count).filter_map(|index| perturbed(index).ok()).collect();
+    let results = over_processes(&processes, controller, scenario);
+    results.iter().map(|result| result.as_ref().map(integrals).unwrap_or_default()).collect()
 }
 
-/// Margins of the controllers 0…count.
+/// Margins of the controllers 0…count, one by one: there is no batch interface for them.
 fn margins_of(count: u64) -> Vec<Four> {
     let one = |index| -> Result<Four, Box<dyn Error>> {
         let [kc, ti, td] = settings(index);
