@@ -24,8 +24,9 @@ pub(crate) fn run(file: &str) -> Result<(), Box<dyn Error>> {
     let record = Record::new(time, level, valve)?;
     let greatest = Seconds(greatest_dead_time(&record));
     let fit = point_fit(&record, greatest)?;
-    let seconds =
-        best(Duration::from_millis(500), || drop(black_box(point_fit(black_box(&record), greatest))));
+    let seconds = best(Duration::from_millis(500), || {
+        _ = black_box(point_fit(black_box(&record), greatest));
+    });
     report("identify", record.len() as u64, seconds, json!([fit.process_gain, fit.dead_time]));
     Ok(())
 }

@@ -79,7 +79,7 @@ pub(crate) fn run() -> Result<(), Box<dyn Error>> {
             continue;
         };
         let seconds = best(Duration::from_millis(200), || {
-            black_box(integrals(black_box(tolerance)));
+            _ = black_box(integrals(black_box(tolerance)));
         });
         report("metrics", u64::from(exponent.unsigned_abs()), seconds, json!(values));
     }

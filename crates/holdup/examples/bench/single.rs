@@ -31,8 +31,12 @@ pub(crate) fn run() -> Result<(), Box<dyn Error>> {
 
     let found = margins(&closed)?;
     let seconds = best(SPEND, || drop(black_box(margins(black_box(&closed)))));
-    let values =
-        [found.gain_margin, found.phase_margin.map(|m| m.0), found.delay_margin.map(|m| m.0), found.sensitivity_peak];
+    let values = [
+        found.gain_margin,
+        found.phase_margin.map(|m| m.0),
+        found.delay_margin.map(|m| m.0),
+        found.sensitivity_peak,
+    ];
     report("margins", 1, seconds, json!(values));
     Ok(())
 }
