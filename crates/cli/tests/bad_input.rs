@@ -445,7 +445,6 @@ fn each_fault_of_a_family_or_of_an_optimum_names_option_and_value() {
         (&["--objective", "robust_box"], &["--max-sensitivity"]),
         (&["--objective", "averaging"], &["--load-step"]),
         (&["--objective", "averaging", "--load-step", "10", "--excursion", "1"], &["excursion", "3.036"]),
-        (&["--max-sensitivity", "1.3", "--max-load-iae", "5"], &["sensitivity_peak", "load_iae", "nearest"]),
     ] {
         let error = refused(&[&["optimise", "-p", PROCESS], words].concat());
         for part in parts {
