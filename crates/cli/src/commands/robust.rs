@@ -175,7 +175,7 @@ fn two(option: &str, text: &str) -> Result<[f64; 2], Fault> {
 
 fn samples(text: &str) -> Result<u64, Fault> {
     let value = read_number("--samples", text).map_err(Fault::input)?;
-    if value < 0.0 || value > MOST || value.fract() != 0.0 {
+    if !(0.0..=MOST).contains(&value) || value.fract() != 0.0 {
         return Err(Fault::option("--samples", format!("{text} must be a whole number from 0 to 1e9")));
     }
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked above")]
@@ -235,7 +235,7 @@ fn sentences(worst: &WorstCase, limit: Option<f64>, largest: Option<&Largest>) -
         (Some(limit), None) => sentences
             .push(format!("There is no family with M_s <= {limit}: the nominal loop itself exceeds it.")),
         (Some(limit), Some(largest)) if largest.limited_by_zero => {
-            sentences.push(format!("M_s <= {limit} does not limit the family: it ends where a factor is 0."))
+            sentences.push(format!("M_s <= {limit} does not limit the family: it ends where a factor is 0."));
         }
         _ => {}
     }
