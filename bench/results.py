@@ -12,7 +12,8 @@ NAMES = ("IAE", "ISE", "ITAE", "energy")
 
 def error(values, reference):
     """Greatest relative error of the numbers."""
-    return max(abs(a / b - 1) for a, b in zip(values, reference))
+    errors = [abs(a / b - 1) for a, b in zip(values, reference)]
+    return math.inf if any(math.isnan(e) for e in errors) else max(errors)
 
 
 def best_pade(found):
@@ -181,11 +182,11 @@ def version(*command):
     return subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines()[0]
 
 
-def write(found, folder, rounds, reasons):
+def write(found, folder, reasons):
     c = Chosen(found)
     goals = targets(c)
     head = (f"Measured on {date.today()} on {processor()}, {version('rustc', '--version')}, {version('gcc', '--version')}, "
-            f"Python {platform.python_version()}. Best of {rounds} rounds, peers and holdup in turn. Load average of the "
+            f"Python {platform.python_version()}. {found['how']}, peers and holdup in turn. Load average of the "
             f"machine meanwhile {min(found['load']):.1f} to {max(found['load']):.1f}: machines are noisy, and ratios move "
             f"by tens of per cent between runs, more so under load.")
     goal_rows = [(w, t, v, g, "reached" if share >= 1 else f"missed ({share:.2f} of it): {reasons.get((w, t), 'no reason known')}")
@@ -196,7 +197,8 @@ def write(found, folder, rounds, reasons):
     text = "\n\n".join([
         "# Results", "Made by `bench/run`; definitions in [README.md](README.md).", head, "![](results.svg)",
         "## Targets", f"python-control with {pade}. The crate and C: the cheapest setting with an error of at most 1e-9, or "
-        "the most accurate one where none has that.",
+        f"the most accurate one where none has that (here the crate's error is {error(c.crate['values'], c.reference):.0e}, "
+        f"C's {error(c.c['values'], c.reference):.0e}).",
         table(("work", "against", "measured", "target", "verdict"), goal_rows),
         "## W1: one loop", f"Errors are relative, against Richardson's extrapolation of the fourth-order loop in 80-bit "
         f"numbers (uncertainty {found['reference']['uncertainty']:.0e}; scipy by steps at 1e-12 agrees to "
@@ -212,6 +214,6 @@ def write(found, folder, rounds, reasons):
         "K·Kc·d = 1.57 hardly decays. C: fourth order, 1200 steps a dead time.",
         table(("dead times", "paper's loop", "oscillating loop", "C, paper's loop"), horizon_rows(c)),
         "## Memory", "`holdup robust` on the paper's loop with W1's scenario: margins and all metrics, two threads.",
-        table(("runs", "wall", "processor", "greatest memory"), memory)])
+        table(("runs", "wall", "processor", "greatest memory"), memory) if memory else "Not measured in this run."])
     (folder / "RESULTS.md").write_text(text + "\n", encoding="utf-8")
     picture.draw(goals, c, folder / "results.svg")

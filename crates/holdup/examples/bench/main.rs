@@ -19,7 +19,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let words: Vec<&str> = words.iter().map(String::as_str).collect();
     match words[..] {
         ["single"] => single::run(),
-        ["crate"] => peer::run(),
+        ["crate"] => {
+            peer::run();
+            Ok(())
+        }
         ["horizon"] => single::horizon(),
         ["processes", count, threads] => many::processes(count.parse()?, threads.parse()?),
         ["controllers", count, threads] => many::controllers(count.parse()?, threads.parse()?),

@@ -12,7 +12,7 @@ use serde_json::json;
 use crate::work::{controller, integrals, process, scenario};
 use crate::{best, report};
 
-const SPEND: Duration = Duration::from_millis(1000);
+const SPEND: Duration = Duration::from_secs(1);
 
 pub(crate) fn run() -> Result<(), Box<dyn Error>> {
     let closed = ClosedLoop::new(&process()?, &controller()?);
