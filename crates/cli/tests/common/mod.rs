@@ -50,3 +50,26 @@ pub(crate) fn folder(name: &str) -> PathBuf {
     std::fs::create_dir_all(&folder).unwrap();
     folder
 }
+
+/// Whether an object has these names.
+pub(crate) fn has(value: &Value, names: &[&str]) {
+    for name in names {
+        assert!(value.get(name).is_some(), "{name} is absent in {value}");
+    }
+}
+
+/// The names of margins.
+pub(crate) const MARGINS: [&str; 12] = [
+    "stable",
+    "gain_margin",
+    "gain_margin_low",
+    "phase_margin_deg",
+    "delay_margin_s",
+    "delay_margin_low_s",
+    "gain_crossovers_rad_s",
+    "phase_crossovers_rad_s",
+    "sensitivity_peak",
+    "sensitivity_peak_rad_s",
+    "complementary_sensitivity_peak",
+    "high_frequency_gain",
+];

@@ -14,6 +14,8 @@ use super::system::{Rest, Row, System};
 
 /// Cells, those that were too long included, after which a simulation gives up (a few seconds of computing).
 pub(super) const CELL_BUDGET: u64 = 1_000_000;
+/// Cells of a loop with states that drive each other count as so many.
+const COUPLED_COST: u64 = 10;
 /// A cell is accepted when its last coefficients are below this part of the signal's largest value so far.
 const TOLERANCE: f64 = 2e-14;
 /// The same where states drive each other: stiff coupled lags leave 24² roundings in the last coefficients.
@@ -68,6 +70,8 @@ pub(super) struct Solver<'a> {
     tolerance: f64,
     /// Cells computed so far.
     tried: u64,
+    /// What a cell counts: states that drive each other cost many times more.
+    cost: u64,
     longest_delay: f64,
     impulsive: bool,
     cache: Vec<(u64, Vec<Factors>)>,
@@ -107,6 +111,7 @@ impl<'a> Solver<'a> {
             quiet: f64::INFINITY,
             tolerance: if coupled { COUPLED_TOLERANCE } else { TOLERANCE },
             tried: 0,
+            cost: if coupled { COUPLED_COST } else { 1 },
             longest_delay: system.delays.iter().copied().fold(0.0, f64::max),
             impulsive: false,
             cache: vec![(0, Vec::new()); CACHE],
@@ -167,7 +172,8 @@ impl<'a> Solver<'a> {
             self.commit(length, tiny, breakpoint);
             if self.tried > CELL_BUDGET {
                 let reached = self.now.seconds();
-                return Err(ResponseError::HorizonTooLong { horizon, reached, cells: CELL_BUDGET });
+                let cells = CELL_BUDGET / self.cost;
+                return Err(ResponseError::HorizonTooLong { horizon, reached, cells });
             }
         }
     }
@@ -304,7 +310,7 @@ impl<'a> Solver<'a> {
         for (poly, line) in self.delayed_polys.iter_mut().zip(&self.lines) {
             *poly = line.ahead(length, tiny).0;
         }
-        self.tried += 1;
+        self.tried += self.cost;
         let system = self.system;
         let slot = self.factors(length);
         let half = 0.5 * length;

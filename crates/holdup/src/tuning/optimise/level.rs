@@ -14,8 +14,10 @@ use crate::model::{ClosedLoop, Controller, ModelError, Process, Seconds};
 
 /// Integral times that are searched, in units of 1/(K·Kc): a damping ratio of about 0.35 to 3.
 const INTEGRAL: [f64; 2] = [0.5, 36.0];
-/// Steps of the golden section, to 2e-4 of the logarithm's range: the rate is flat at its minimum.
-const STEPS: usize = 18;
+/// Integral times that are looked at first.
+const ROW: u32 = 16;
+/// Steps of the golden section, to 1e-3 of the step of that row: the rate is flat at its minimum.
+const STEPS: usize = 14;
 /// Halvings of the gain, at most.
 const HALVINGS: usize = 50;
 /// Relative width at which the gain is found.
@@ -145,9 +147,14 @@ pub fn averaging(process: &Process, demand: &Demand) -> Result<Averaging, LevelE
     let least_rate = gain * load * load / (2.0 * (excursion - least));
     let pi = |damping: f64| gentlest(process, demand, Some(damping));
     let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
-    let [mut a, mut b] = INTEGRAL.map(f64::ln);
     let rate =
         |found: &Result<Gentle, LevelError>| found.as_ref().map_or(f64::INFINITY, |gentle| gentle.rate);
+    // Where the integral time is too short no gain is robust: the golden section starts about the best of a row.
+    let [low, high] = INTEGRAL.map(f64::ln);
+    let step = (high - low) / f64::from(ROW);
+    let row = (0..=ROW).map(|i| low + step * f64::from(i)).map(|at| (at, rate(&pi(at.exp()))));
+    let best = row.min_by(|x, y| x.1.total_cmp(&y.1)).map_or(low, |found| found.0);
+    let (mut a, mut b) = ((best - step).max(low), (best + step).min(high));
     let (mut c, mut d) = (b - golden * (b - a), a + golden * (b - a));
     let (mut at_c, mut at_d) = (pi(c.exp()), pi(d.exp()));
     for _ in 0..STEPS {
