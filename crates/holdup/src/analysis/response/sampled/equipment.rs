@@ -18,7 +18,7 @@ pub struct EquipmentSettings {
     pub rate_limit: Option<f64>,
     /// The manipulated variable at rest, before the first event.
     pub initial_manipulated: f64,
-    /// Stickband plus deadband S and slip jump J of the valve [input unit]; see [`Valve`](super::valve::Valve).
+    /// Stickband plus deadband S and slip jump J of the valve [input unit]: the valve of Kano and others (2004).
     pub stiction: Option<(f64, f64)>,
     /// Steps in which the output comes to the valve [input unit].
     pub output_quantum: Option<f64>,
