@@ -213,12 +213,12 @@ fn text(
     }
     text += &running(answer.controller.as_ref(), answer.excitation.closed_loop, console);
     if let Some(load) = &answer.load {
-        let _ = writeln!(
-            text,
-            "Load that explains the rest: standard deviation {} at the process input, seen over {} s.\n",
+        let sentence = format!(
+            "Load that explains the rest: standard deviation {} at the process input, seen over {} s.",
             number(load.standard_deviation),
             number(load.window)
         );
+        text += &(fold(&sentence, console.width).join("\n") + "\n\n");
     }
     if !answer.diagnosis.findings.is_empty() {
         text += &title(console, "Diagnosis");
@@ -231,7 +231,8 @@ fn text(
         text.push('\n');
     }
     let span = record.time()[record.len() - 1] - record.time()[0];
-    let _ = writeln!(text, "Window: {} rows, {} s ({why}).", record.len(), number(span));
+    let window = format!("Window: {} rows, {} s ({why}).", record.len(), number(span));
+    text += &(fold(&window, console.width).join("\n") + "\n");
     text += &record_input::text(&args.record, reading, console);
     text
 }
@@ -258,7 +259,7 @@ fn running(controller: Option<&RunningController>, closed_loop: bool, console: C
     rows.extend(controller.integral_time.map(|time| row("integral time Ti [s]", time)));
     rows.extend(controller.derivative_time.map(|time| row("derivative time Td [s]", time)));
     let mut text = format!(
-        "Running controller: {}, explains {:.2} % of the moves of the manipulated variable\n",
+        "Running controller: {}, explains {:.2} % of the manipulated variable's moves\n",
         controller.structure,
         100.0 * controller.explained
     );

@@ -287,6 +287,12 @@ fn monte_carlo(args: &RobustArgs, summary: &Summary, times: &[f64]) -> Value {
     })
 }
 
+/// A proven upper bound for reading: four significant digits, never below the bound.
+fn bound(value: f64) -> String {
+    let unit = 10.0_f64.powf(value.log10().floor() - 3.0);
+    number((value / unit).ceil() * unit)
+}
+
 fn range([low, high]: [f64; 2]) -> String {
     format!("{} to {}", number(low), number(high))
 }
@@ -295,7 +301,7 @@ fn proof(process: &Process, family: &Family, ellipse: bool, worst: &WorstCase) -
     let shape = if ellipse { "ellipse within" } else { "all of" };
     let over = format!("gain x {}, dead time x {}", range(family.gain()), range(family.dead_time()));
     let mut text = match worst.sensitivity_peak {
-        Some(peak) => format!("Proven: stable, and M_s <= {} over {shape}\n        {over}\n", number(peak)),
+        Some(peak) => format!("Proven: stable, and M_s <= {} over {shape}\n        {over}\n", bound(peak)),
         None if worst.given_up => format!("Not proven, over {shape}\n        {over}\n"),
         None => format!("Not stable over {shape}\n        {over}\n"),
     };

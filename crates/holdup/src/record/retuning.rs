@@ -64,7 +64,7 @@ pub struct Replay {
     pub standard_deviation: f64,
     /// Greatest control error [output unit].
     pub peak: f64,
-    /// Sum of the moves of the manipulated variable [input unit].
+    /// Sum of the manipulated variable's moves [input unit].
     pub travel: f64,
     /// Controlled variable at the rows.
     #[serde(skip)]

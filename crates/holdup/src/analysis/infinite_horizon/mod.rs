@@ -38,8 +38,7 @@ pub struct InfiniteHorizon {
     pub iae: Option<f64>,
     /// Bound on the part of `iae` that is left out, as a ratio of it; absent where none is proven.
     pub tail: Option<f64>,
-    /// Integral of the squared error [output unit² · s], up to the horizon: what is left out is below `tail²` in the same
-    /// proportion; absent where `iae` is.
+    /// Integral of the squared error [output unit² · s], up to the horizon; absent where `iae` is.
     pub ise: Option<f64>,
     /// Total variation of the controller output [input unit], up to the horizon.
     pub total_variation: Option<f64>,

@@ -14,6 +14,8 @@ use crate::model::{ClosedLoop, Controller, ModelError, Process, Seconds};
 
 /// Integral times that are searched, in units of 1/(K·Kc): a damping ratio of about 0.35 to 3.
 const INTEGRAL: [f64; 2] = [0.5, 36.0];
+/// Times an excursion that is too large: more than any rate.
+const EXCEEDS: f64 = 1e200;
 /// Integral times that are looked at first.
 const ROW: u32 = 16;
 /// Steps of the golden section, to 1e-3 of the step of that row: the rate is flat at its minimum.
@@ -100,6 +102,12 @@ pub enum LevelError {
         /// The least excursion found.
         least: f64,
     },
+    /// No gain is as robust as asked for.
+    #[error("no PI controller that may keep the level has a sensitivity peak of {sensitivity_peak} or less")]
+    Fragile {
+        /// The sensitivity peak.
+        sensitivity_peak: f64,
+    },
     /// A controller that is none.
     #[error(transparent)]
     Model(#[from] ModelError),
@@ -152,13 +160,18 @@ pub fn averaging(process: &Process, demand: &Demand) -> Result<Averaging, LevelE
     // Where the integral time is too short no gain is robust: the golden section starts about the best of a row.
     let [low, high] = INTEGRAL.map(f64::ln);
     let step = (high - low) / f64::from(ROW);
-    let row = (0..=ROW).map(|i| low + step * f64::from(i)).map(|at| (at, rate(&pi(at.exp()))));
+    // Where none keeps the excursion, the one that exceeds it least says how far it is off.
+    let merit = |found: &Result<Gentle, LevelError>| match found {
+        Err(LevelError::Infeasible { least, .. }) => EXCEEDS * least,
+        other => rate(other),
+    };
+    let row = (0..=ROW).map(|i| low + step * f64::from(i)).map(|at| (at, merit(&pi(at.exp()))));
     let best = row.min_by(|x, y| x.1.total_cmp(&y.1)).map_or(low, |found| found.0);
     let (mut a, mut b) = ((best - step).max(low), (best + step).min(high));
     let (mut c, mut d) = (b - golden * (b - a), a + golden * (b - a));
     let (mut at_c, mut at_d) = (pi(c.exp()), pi(d.exp()));
     for _ in 0..STEPS {
-        if rate(&at_c) <= rate(&at_d) {
+        if merit(&at_c) <= merit(&at_d) {
             (b, d, at_d) = (d, c, at_c);
             c = b - golden * (b - a);
             at_c = pi(c.exp());
@@ -168,7 +181,7 @@ pub fn averaging(process: &Process, demand: &Demand) -> Result<Averaging, LevelE
             at_d = pi(d.exp());
         }
     }
-    let best = if rate(&at_c) <= rate(&at_d) { at_c } else { at_d }?;
+    let best = if merit(&at_c) <= merit(&at_d) { at_c } else { at_d }?;
     let proportional = gentlest(process, demand, None).ok().map(|gentle| (gentle.controller, gentle.rate));
     Ok(Averaging {
         controller: best.controller,
@@ -200,8 +213,13 @@ fn gentlest(process: &Process, demand: &Demand, integral: Option<f64>) -> Result
         let achieved = margins(&ClosedLoop::new(process, controller))?;
         Ok(achieved.sensitivity_peak.is_some_and(|peak| peak <= demand.sensitivity_peak))
     };
+    // P alone needs load/excursion; no integral action makes a twentieth of that enough.
+    let floor = (0.05 * demand.load_step / (demand.excursion * unit.abs())).min(0.5);
+    if !robust(&with(floor)?)? {
+        return Err(LevelError::Fragile { sensitivity_peak: demand.sensitivity_peak });
+    }
     // The greatest gain of the sensitivity peak lets the level move least; from there down to the excursion.
-    let (mut high, mut low) = (2.0, 1e-6);
+    let (mut high, mut low) = (2.0, floor);
     for _ in 0..HALVINGS {
         let middle = f64::midpoint(low, high);
         *(if robust(&with(middle)?)? { &mut low } else { &mut high }) = middle;
@@ -215,9 +233,7 @@ fn gentlest(process: &Process, demand: &Demand, integral: Option<f64>) -> Result
         let (excursion, sensitivity_peak) = (demand.excursion, demand.sensitivity_peak);
         return Err(LevelError::Infeasible { excursion, sensitivity_peak, least });
     }
-    // P alone needs load/excursion; no integral action makes a twentieth of that enough.
-    let (mut keeps, mut exceeds) =
-        (top, (0.05 * demand.load_step / (demand.excursion * unit.abs())).min(0.5 * top));
+    let (mut keeps, mut exceeds) = (top, floor);
     for _ in 0..HALVINGS {
         let middle = (keeps * exceeds).sqrt();
         let moved = excursion(process, &with(middle)?, demand.load_step)?;
@@ -255,7 +271,7 @@ fn greatest_rate(process: &Process, controller: &Controller, load_step: f64) -> 
     let closed = ClosedLoop::new(process, controller);
     let scenario = Scenario::unit_load_step(Seconds(horizon)).map_err(out_of_reach)?;
     let rates = |times: &[f64]| -> Result<Vec<f64>, LevelError> {
-        let before: Vec<f64> = times.iter().map(|time| time - d).collect();
+        let before: Vec<f64> = times.iter().map(|time| (time - d).max(0.0)).collect();
         let earlier = trajectory(&closed, &scenario, &before)?.manipulated_variable;
         let level = trajectory(&closed, &scenario, times)?.controlled_variable;
         Ok(level
@@ -273,7 +289,8 @@ fn greatest_rate(process: &Process, controller: &Controller, load_step: f64) -> 
     // The extremum lies between the neighbours of the greatest value: looked at again, closer, until it is flat.
     for _ in 0..4 {
         let step = (to - from) / f64::from(TIMES);
-        let times: Vec<f64> = (0..=TIMES).map(|i| from + step * f64::from(i)).collect();
+        // The last sum may exceed the horizon by a rounding.
+        let times: Vec<f64> = (0..=TIMES).map(|i| (from + step * f64::from(i)).min(horizon)).collect();
         let found = rates(&times)?;
         let at = (0..found.len()).max_by(|&a, &b| found[a].total_cmp(&found[b])).unwrap_or(0);
         greatest = greatest.max(found[at]);
