@@ -1,12 +1,9 @@
-//! Many loops at once: slices of processes or controllers in, arrays of metrics out, on all cores.
-//!
-//! Every loop is simulated as [`simulate`] does it, by itself: the results do not depend on the number of threads, nor on
-//! what else is in the slice.
+//! Metrics of many loops: each is simulated as [`simulate`] does it.
 
 use rayon::prelude::*;
 
-use super::metrics::Metrics;
-use super::response::{ResponseError, Scenario, simulate};
+use super::super::metrics::Metrics;
+use super::super::response::{ResponseError, Scenario, simulate};
 use crate::model::{ClosedLoop, Controller, Process};
 
 /// Loops that one thread takes at a time: a few milliseconds of work.
