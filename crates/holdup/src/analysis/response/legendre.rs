@@ -61,7 +61,7 @@ pub(super) fn value(coefficients: &[f64], s: f64) -> f64 {
 }
 
 /// Points that are evaluated together.
-const BATCH: usize = 16;
+const BATCH: usize = 32;
 
 /// Power-basis coefficients of each Legendre polynomial, row k for degree k.
 static POWERS: LazyLock<[Poly; TERMS]> = LazyLock::new(|| {

@@ -41,6 +41,8 @@ pub(super) struct Measure {
     pub(super) variation: f64,
     pub(super) peak: f64,
     pub(super) tracking: Option<Tracking>,
+    /// Whether nothing is asked for but the integrals.
+    pub(super) integrals_only: bool,
     /// Controlled variable (relative to the initial level) and controller output at the end.
     pub(super) last: (f64, f64),
 }
@@ -62,8 +64,14 @@ impl Measure {
             variation: 0.0,
             peak: 0.0,
             tracking,
+            integrals_only: false,
             last: (0.0, 0.0),
         }
+    }
+
+    /// Measures the integrals and nothing else.
+    pub(super) fn integrals_only() -> Self {
+        Self { integrals_only: true, ..Self::new(None) }
     }
 
     /// `∫|e|` and `∫t·|e|` over a cell that starts at `start`.
@@ -221,6 +229,9 @@ impl Watch for Measure {
         self.energy += 0.5 * cell.length * square_integral(cell.manipulated);
         let place = (cell.start, cell.length);
         self.absolute_integrals(place, cell.error);
+        if self.integrals_only {
+            return;
+        }
         self.variation_of(cell.manipulated);
         self.extremes(place, cell.setpoint, cell.error, error_ends);
         if let Some(tracking) = &mut self.tracking {
@@ -234,7 +245,7 @@ impl Watch for Measure {
     }
 
     fn restart(&mut self) {
-        *self = Self::new(self.tracking.map(|t| t.step));
+        *self = Self { integrals_only: self.integrals_only, ..Self::new(self.tracking.map(|t| t.step)) };
     }
 }
 

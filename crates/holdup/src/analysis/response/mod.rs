@@ -12,6 +12,7 @@ mod delay_line;
 mod error;
 mod extent;
 mod instant;
+mod integrals;
 mod lag;
 mod layered;
 mod legendre;
@@ -26,8 +27,10 @@ mod trajectory;
 
 pub use error::ResponseError;
 pub use extent::{Extreme, OutputExtent, output_extent};
+pub(in crate::analysis) use integrals::integrals_of_many;
+pub use integrals::{Integrals, integrals};
 pub use scenario::{Scenario, ScenarioError};
-pub use trajectory::{Trajectory, plot_times, simulate_with_trajectory, trajectory};
+pub use trajectory::{Trajectory, plot_times, refill_trajectory, simulate_with_trajectory, trajectory};
 
 use cell::{Outcome, Watch};
 use measure::{BANDS, Measure, Move};

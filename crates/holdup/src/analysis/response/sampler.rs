@@ -12,8 +12,9 @@ use super::trajectory::Trajectory;
 const UNSEEN: f64 = 1e-14;
 
 /// Value at each time of what starts at `rest` and is held from event to event.
-fn held(times: &[f64], sorted: bool, rest: f64, events: &[(f64, f64)]) -> Vec<f64> {
-    let mut values = vec![rest; times.len()];
+fn hold(values: &mut Vec<f64>, times: &[f64], sorted: bool, rest: f64, events: &[(f64, f64)]) {
+    values.clear();
+    values.resize(times.len(), rest);
     for &(at, value) in events {
         if sorted {
             let from = times.partition_point(|&t| t < at);
@@ -24,7 +25,6 @@ fn held(times: &[f64], sorted: bool, rest: f64, events: &[(f64, f64)]) -> Vec<f6
             }
         }
     }
-    values
 }
 
 /// Fills in the requested times, which it walks through in increasing order.
@@ -39,7 +39,17 @@ pub(super) struct Sampler<'a> {
 
 impl<'a> Sampler<'a> {
     pub(super) fn new(system: &System, scenario: &'a Scenario, times: &[f64]) -> Result<Self, ResponseError> {
+        Self::reusing(system, scenario, Trajectory { time: times.to_vec(), ..Trajectory::default() })
+    }
+
+    /// Overwrites the signals of a trajectory at its times, in its memory.
+    pub(super) fn reusing(
+        system: &System,
+        scenario: &'a Scenario,
+        mut result: Trajectory,
+    ) -> Result<Self, ResponseError> {
         let horizon = scenario.horizon();
+        let times = &result.time;
         if let Some(&value) = times.iter().find(|t| !(**t >= 0.0 && **t <= horizon)) {
             return Err(ResponseError::TimeOutside { value, horizon });
         }
@@ -48,15 +58,17 @@ impl<'a> Sampler<'a> {
             order.sort_by(|&a, &b| times[a].total_cmp(&times[b]));
             order
         });
-        let empty = || vec![0.0; times.len()];
-        let result = Trajectory {
-            time: times.to_vec(),
-            setpoint: held(times, order.is_none(), scenario.initial(), scenario.setpoint()),
-            controlled_variable: empty(),
-            manipulated_variable: empty(),
-            load: held(times, order.is_none(), 0.0, scenario.load()),
-            load_estimate: system.load_estimate.as_ref().map(|_| empty()),
-        };
+        let sorted = order.is_none();
+        hold(&mut result.setpoint, times, sorted, scenario.initial(), scenario.setpoint());
+        hold(&mut result.load, times, sorted, 0.0, scenario.load());
+        // Every value is overwritten.
+        result.controlled_variable.resize(times.len(), 0.0);
+        result.manipulated_variable.resize(times.len(), 0.0);
+        result.load_estimate = system.load_estimate.as_ref().map(|_| {
+            let mut estimates = result.load_estimate.take().unwrap_or_default();
+            estimates.resize(times.len(), 0.0);
+            estimates
+        });
         Ok(Self { scenario, order, next: 0, result, last: None })
     }
 

@@ -4,9 +4,12 @@
 use super::super::legendre::{Poly, TERMS, ends, from_powers, square_integral};
 use super::super::measure::{BANDS, Measure};
 use super::super::roots::sign_changes;
+use super::areas::areas;
 use super::extrema::{Extrema, extrema};
+use super::lanes::Lanes;
 use super::segment::{Part, Segment, dot, layer_at, layer_slope_at};
 use super::signal::{Signal, sum_of_magnitudes};
+use super::squares::squares;
 use super::tables::{INVERSE, TABLES};
 
 /// A layer whose part of a sum is below this is left out: rounding.
@@ -32,10 +35,13 @@ impl<'a> Parts<'a> {
 impl Measure {
     /// Adds a segment.
     pub(in super::super) fn add_segment(&mut self, segment: &Segment<'_>) {
+        if self.integrals_only {
+            self.add_integrals(segment);
+            return;
+        }
         let mut errors = Parts::new(segment, segment.error);
         let mut outputs = Parts::new(segment, segment.manipulated);
-        self.ise += square(segment, &mut errors, self.ise);
-        self.energy += square(segment, &mut outputs, self.energy);
+        self.segment_squares(segment, &mut errors, &mut outputs);
         self.segment_integrals(segment, &mut errors);
         self.segment_variation(segment, &mut outputs);
         self.segment_extremes(segment, &mut errors);
@@ -43,8 +49,39 @@ impl Measure {
         self.last.0 = segment.setpoint - segment.ends(segment.error).1;
     }
 
+    /// Adds the integrals of a segment, and nothing else.
+    pub(super) fn add_integrals(&mut self, segment: &Segment<'_>) {
+        self.add_squares(segment);
+        self.add_areas(segment);
+    }
+
+    /// Adds ISE and control energy of a segment.
+    pub(super) fn add_squares(&mut self, segment: &Segment<'_>) {
+        let mut outputs = Parts::new(segment, segment.manipulated);
+        self.segment_squares(segment, &mut Parts::new(segment, segment.error), &mut outputs);
+    }
+
+    /// Adds IAE and ITAE of a segment.
+    pub(super) fn add_areas(&mut self, segment: &Segment<'_>) {
+        self.segment_integrals(segment, &mut Parts::new(segment, segment.error));
+    }
+
+    /// ∫e² and ∫u².
+    fn segment_squares(&mut self, segment: &Segment<'_>, errors: &mut Parts<'_>, outputs: &mut Parts<'_>) {
+        let so_far = (Lanes([self.ise]), Lanes([self.energy]));
+        let known = segment.stretch.map_or(([None], [None]), |stretch| squares(stretch, so_far));
+        self.ise += known.0[0].unwrap_or_else(|| square(segment, errors, self.ise));
+        self.energy += known.1[0].unwrap_or_else(|| square(segment, outputs, self.energy));
+    }
+
     /// ∫|e| and ∫t·|e|.
     fn segment_integrals(&mut self, segment: &Segment<'_>, errors: &mut Parts<'_>) {
+        let so_far = (Lanes([self.iae]), Lanes([self.itae]));
+        if let Some((area, moment)) = segment.stretch.and_then(|stretch| areas(stretch, so_far)[0]) {
+            self.iae += area;
+            self.itae += moment;
+            return;
+        }
         let e = segment.error;
         let layer = e.layer_size(segment.terms);
         let swing = sum_of_magnitudes(&e.smooth) - e.smooth[0].abs();

@@ -19,14 +19,22 @@
     reason = "only what is inlined is compiled for the instruction set chosen at run time"
 )]
 
+mod alone;
+mod areas;
+mod crossings;
 mod evaluate;
 mod extrema;
+mod integrals;
+mod lanes;
 mod measure;
 mod plan;
 mod propagate;
 mod segment;
 mod signal;
+mod signals;
+mod squares;
 mod tables;
+mod together;
 
 pub(super) use evaluate::add_layer;
 pub(super) use segment::Segment;
@@ -36,8 +44,11 @@ use super::cell::{Outcome, Watch};
 use super::error::ResponseError;
 use super::scenario::Scenario;
 use super::system::System;
+use alone::Alone;
+use integrals::Integrals;
 use plan::Plan;
-use propagate::Propagation;
+use propagate::{Follow, Propagation};
+use together::Together;
 
 #[cfg(test)]
 mod tests;
@@ -49,6 +60,34 @@ pub(super) fn run(
     scenario: &Scenario,
     watch: &mut impl Watch,
 ) -> Option<Result<Outcome, ResponseError>> {
-    let plan = Plan::new(system, scenario)?;
-    Propagation::new(system, &plan).run(scenario, watch)
+    run_together([system], scenario, &mut Alone::new(watch))
+}
+
+/// IAE, ISE, ITAE and control energy of several loops, to which the same happens in the same order; `None` as for [`run`] for any of them, or
+/// where they part ways.
+pub(super) fn integrals<const L: usize>(systems: [&System; L], scenario: &Scenario) -> Option<[[f64; 4]; L]> {
+    let mut integrals = Integrals::new();
+    run_together(systems, scenario, &mut integrals)?.ok()?;
+    Some(integrals.finish())
+}
+
+/// Runs the scenario with several loops; `None` as for [`run`] for any of them, or where they part ways.
+fn run_together<const L: usize>(
+    systems: [&System; L],
+    scenario: &Scenario,
+    watch: &mut impl Follow<L>,
+) -> Option<Result<Outcome, ResponseError>> {
+    let first = systems[0];
+    let alike = |system: &&System| {
+        system.output == first.output && system.input_is_manipulated == first.input_is_manipulated
+    };
+    if !systems.iter().all(alike) {
+        return None;
+    }
+    let mut plans = Vec::with_capacity(L);
+    for system in systems {
+        plans.push(Plan::new(system, scenario)?);
+    }
+    let together = Together::new(plans.as_array::<L>()?)?;
+    Propagation::new(systems, &together).run(scenario, watch)
 }

@@ -1,6 +1,7 @@
 //! What happens on one segment, and the same cut into cells where a question needs plain polynomials.
 
 use super::super::legendre::{Poly, TERMS, from_powers, interpolated, restricted, tail};
+use super::propagate::Stretch;
 use super::signal::{Signal, decay, has_decayed, sum_of_magnitudes};
 use super::tables::{EDGES, INVERSE, TABLES};
 
@@ -22,6 +23,8 @@ pub(in super::super) struct Segment<'a> {
     pub(in super::super) manipulated: &'a Signal,
     /// Load estimate of the observer.
     pub(in super::super) load_estimate: Option<&'a Signal>,
+    /// The same as the only loop of a stretch; `None` for one of several.
+    pub(super) stretch: Option<&'a Stretch<'a, 1>>,
 }
 
 /// A signal on a part of a segment, as a Legendre series.

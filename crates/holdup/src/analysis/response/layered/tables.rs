@@ -28,6 +28,8 @@ pub(super) struct Tables {
     pub(super) squares: [Layer; LAYER_TERMS],
     /// `i!·C(j, i)·(−1)^(j−i)`: what coefficient j of a smooth part adds to its i-th derivative at s = −1.
     pub(super) at_start: [Poly; TERMS],
+    /// The same at s = 1: `i!·C(j, i)`.
+    pub(super) at_end: [Poly; TERMS],
     /// Half of `∫s^j` and of `∫s·s^j` from −1 to 1.
     pub(super) areas: Poly,
     pub(super) moments_about_middle: Poly,
@@ -66,6 +68,7 @@ pub(super) static TABLES: LazyLock<Box<Tables>> = LazyLock::new(|| {
         number += 1.0;
         factorial *= number;
     }
+    let at_end = at_start.map(|row| row.map(f64::abs));
     let bounds = EDGES.map(|edge| {
         let mut weights = [0.0; LAYER_TERMS];
         let mut order = 0.0f64;
@@ -107,6 +110,7 @@ pub(super) static TABLES: LazyLock<Box<Tables>> = LazyLock::new(|| {
         moments,
         squares,
         at_start,
+        at_end,
         areas,
         moments_about_middle,
         bounds,

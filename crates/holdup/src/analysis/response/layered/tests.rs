@@ -4,8 +4,9 @@ use proptest::prelude::*;
 
 use super::super::measure::Measure;
 use super::super::solver::Solver;
-use super::super::{Response, measure_of, response};
+use super::super::{Integrals, Response, measure_of, response};
 use super::*;
+use crate::analysis::batch::integrals_over_processes;
 use crate::analysis::metrics::METRICS;
 use crate::model::{ClosedLoop, Controller, Observer, Process, Seconds};
 
@@ -151,5 +152,80 @@ fn close_pairs_of_roots_of_the_error_are_found() {
             // 1e-11: a pair overlooked at a depth of 1e-5 would be 1e-8 of the integral.
             agree(&fast.expect("one layer"), &general, 1e-11);
         }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(150))]
+
+    /// Eight loops together, and each alone, against the general way, with any filter and events at any distance.
+    #[test]
+    fn integrals_of_loops_in_lanes_are_those_of_each_to_1e_9(
+        kc in 0.1f64..1.2,
+        ti in prop::option::of(1.5f64..40.0),
+        kappa in prop::option::of(0.01f64..0.8),
+        filter in -3.0f64..0.0,
+        weights in (0.0f64..1.2, 0.0f64..1.2),
+        spread in prop::collection::vec((0.8f64..1.2, 0.9f64..1.1), 2..20),
+        (step, load, horizon) in (0.0f64..5.0, 0.0f64..30.0, 5.0f64..80.0),
+    ) {
+        let mut controller = Controller::proportional(kc).unwrap();
+        if let Some(ti) = ti {
+            controller = controller.with_integral_time(Seconds(ti)).unwrap();
+        }
+        if let Some(kappa) = kappa {
+            controller = controller.with_derivative_time(Seconds(kappa / kc)).unwrap();
+            controller = controller.with_filter_bandwidth(10f64.powf(-filter)).unwrap();
+            controller = controller.with_setpoint_weights(weights.0, weights.1).unwrap();
+        }
+        let one = |&(gain, time): &(f64, f64)| Process::integrating(gain, Seconds(time)).unwrap();
+        let processes: Vec<Process> = spread.iter().map(one).collect();
+        let loads = vec![(load.min(0.8 * horizon), 0.7)];
+        let scenario = Scenario::new(vec![(step, 1.0)], loads, Seconds(horizon), 0.0).unwrap();
+        let together = integrals_over_processes(&processes, &controller, &scenario);
+        for (process, together) in processes.iter().zip(together) {
+            let closed = ClosedLoop::new(process, &controller);
+            let mut general = measure_of(&scenario);
+            let outcome = Solver::new(&System::new(&closed)).run(&scenario, &mut general).unwrap();
+            let general = Integrals::from(&response(&scenario, &general, outcome).metrics);
+            for found in [together.unwrap(), super::super::integrals(&closed, &scenario).unwrap()] {
+                let pairs = [
+                    (found.iae, general.iae),
+                    (found.ise, general.ise),
+                    (found.itae, general.itae),
+                    (found.control_energy, general.control_energy),
+                ];
+                for (ours, theirs) in pairs {
+                    let (ours, theirs) = (ours.unwrap(), theirs.unwrap());
+                    // 1e-9 is what both ways promise.
+                    prop_assert!((ours - theirs).abs() <= 1e-9 * theirs.abs().max(1e-3), "{ours} {theirs}");
+                }
+            }
+        }
+    }
+}
+
+/// Every number of one loop that is alone among others.
+#[test]
+fn many_loops_are_answered_in_their_order_whatever_the_number_of_threads() {
+    let controller = pid(2.95, 15.0, 3.0, 33.3);
+    let process = |i: u32| {
+        let [gain, time] =
+            [0.754_877_666_246_692_7, 0.569_840_290_998_053_2].map(|x| (f64::from(i) * x).fract());
+        Process::integrating(0.0506 * (0.8 + 0.4 * gain), Seconds(6.0 * (0.8 + 0.4 * time))).unwrap()
+    };
+    let processes: Vec<Process> = (0..300).map(process).collect();
+    let scenario = servo_and_load(200.0, 100.0);
+    let on = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| integrals_over_processes(&processes, &controller, &scenario))
+    };
+    let found = on(1);
+    assert_eq!(found, on(3));
+    for (process, found) in processes.iter().zip(&found) {
+        let alone = super::super::integrals(&ClosedLoop::new(process, &controller), &scenario).unwrap();
+        let (ours, theirs) = (found.as_ref().unwrap().iae.unwrap(), alone.iae.unwrap());
+        // 1e-12: which series are cut where depends on the other lanes.
+        assert!((ours / theirs - 1.0).abs() < 1e-12, "{ours} {theirs}");
     }
 }

@@ -1,0 +1,42 @@
+//! A single loop, shown to those who look at one loop.
+
+use super::super::cell::Watch;
+use super::propagate::{Follow, Stretch};
+use super::segment::Segment;
+use super::signal::Signal;
+
+/// Hands the segments of the only loop on to `watch`.
+pub(super) struct Alone<'w, W> {
+    watch: &'w mut W,
+    error: Signal,
+    manipulated: Signal,
+    load_estimate: Signal,
+}
+
+impl<'w, W> Alone<'w, W> {
+    pub(super) fn new(watch: &'w mut W) -> Self {
+        Self { watch, error: Signal::ZERO, manipulated: Signal::ZERO, load_estimate: Signal::ZERO }
+    }
+}
+
+impl<W: Watch> Follow<1> for Alone<'_, W> {
+    fn stretch(&mut self, stretch: &Stretch<'_, 1>) {
+        let terms = stretch.terms;
+        stretch.error.of_loop(0, terms, &mut self.error);
+        stretch.manipulated.of_loop(0, terms, &mut self.manipulated);
+        if let Some(estimate) = stretch.load_estimate {
+            estimate.of_loop(0, terms, &mut self.load_estimate);
+        }
+        self.watch.segment(&Segment {
+            start: stretch.start.0[0],
+            length: stretch.length.0[0],
+            setpoint: stretch.setpoint,
+            rate: stretch.rate.0[0],
+            terms,
+            error: &self.error,
+            manipulated: &self.manipulated,
+            load_estimate: stretch.load_estimate.map(|_| &self.load_estimate),
+            stretch: Some(stretch),
+        });
+    }
+}
