@@ -113,7 +113,8 @@ def targets(c):
 
 def loop_rows(c):
     """W1: program, setting, time, ratio to ours, error of every integral."""
-    labels = {("ours", "metrics"): "holdup, metrics only", ("ours", "points"): "holdup, 20 001 points",
+    labels = {("ours", "metrics"): "holdup, four integrals", ("ours", "all_metrics"): "holdup, all metrics",
+              ("ours", "points"): "holdup, 20 001 points",
               ("c", "metrics"): "C, fourth order", ("c", "points"): "C, fourth order, 20 001 points",
               ("c-euler", "metrics"): "C, Euler", ("c-euler", "points"): "C, Euler, 20 001 points",
               ("numba", "points"): "numba, Euler, 20 001 points", ("crate", "metrics"): "crate differential-equations",

@@ -1,8 +1,10 @@
 //! Simulation of one loop: `cargo bench -p holdup --bench response`.
 
 use divan::{Bencher, black_box};
-use holdup::analysis::batch::over_processes;
-use holdup::analysis::response::{Scenario, simulate, simulate_with_trajectory};
+use holdup::analysis::batch::integrals_over_processes;
+use holdup::analysis::response::{
+    Scenario, Trajectory, integrals, refill_trajectory, simulate, simulate_with_trajectory,
+};
 use holdup::model::{ClosedLoop, Controller, Observer, Process, Seconds};
 
 fn main() {
@@ -31,7 +33,23 @@ fn metrics_only(bencher: Bencher) {
     bencher.bench(|| simulate(black_box(&closed), black_box(&scenario)));
 }
 
-/// The same with 20 001 output points.
+/// The four integrals alone.
+#[divan::bench]
+fn integrals_only(bencher: Bencher) {
+    let (closed, scenario) = (ClosedLoop::new(&level(), &pid()), servo_and_load(200.0));
+    bencher.bench(|| integrals(black_box(&closed), black_box(&scenario)));
+}
+
+/// The four integrals and 20 001 output points, in memory that is used again.
+#[divan::bench]
+fn integrals_and_20_001_points(bencher: Bencher) {
+    let (closed, scenario) = (ClosedLoop::new(&level(), &pid()), servo_and_load(200.0));
+    let time = (0..=20_000).map(|i| f64::from(i) * 0.01).collect();
+    let mut trajectory = Trajectory { time, ..Trajectory::default() };
+    bencher.bench_local(|| refill_trajectory(black_box(&closed), black_box(&scenario), &mut trajectory));
+}
+
+/// All metrics with 20 001 output points.
 #[divan::bench]
 fn metrics_and_20_001_points(bencher: Bencher) {
     let (closed, scenario) = (ClosedLoop::new(&level(), &pid()), servo_and_load(200.0));
@@ -66,7 +84,7 @@ fn slowly_damped_10_000_dead_times(bencher: Bencher) {
     bencher.bench(|| simulate(black_box(&closed), black_box(&scenario)));
 }
 
-/// The metrics of 1000 processes, ±20 % in gain and dead time, under the paper's PID control.
+/// The integrals of 1000 processes, ±20 % in gain and dead time, under the paper's PID control.
 #[divan::bench(sample_count = 10)]
 fn one_thousand_processes(bencher: Bencher) {
     let process = |i: u32| {
@@ -75,5 +93,7 @@ fn one_thousand_processes(bencher: Bencher) {
     };
     let processes: Vec<Process> = (0..1000).map(process).collect();
     let (controller, scenario) = (pid(), servo_and_load(200.0));
-    bencher.bench(|| over_processes(black_box(&processes), black_box(&controller), black_box(&scenario)));
+    bencher.bench(|| {
+        integrals_over_processes(black_box(&processes), black_box(&controller), black_box(&scenario))
+    });
 }

@@ -4,7 +4,7 @@ use std::error::Error;
 use std::fs::read_to_string;
 use std::time::Instant;
 
-use holdup::analysis::batch::over_processes;
+use holdup::analysis::batch::integrals_over_processes;
 use holdup::analysis::frequency::margins;
 use holdup::analysis::response::Scenario;
 use holdup::model::{ClosedLoop, Controller, Process};
@@ -12,7 +12,7 @@ use rayon::prelude::*;
 use serde_json::json;
 
 use crate::report;
-use crate::work::{controller, integrals, perturbed, pid, process, scenario, settings};
+use crate::work::{controller, four, perturbed, pid, process, scenario, settings};
 
 /// Loops whose numbers are listed, for comparison with the peers.
 const LISTED: usize = 20;
@@ -23,8 +23,8 @@ type Four = [Option<f64>; 4];
 /// Integrals of the loops 0…count.
 fn integrals_of(count: u64, controller: &Controller, scenario: &Scenario) -> Vec<Four> {
     let processes: Vec<Process> = (0..count).filter_map(|index| perturbed(index).ok()).collect();
-    let results = over_processes(&processes, controller, scenario);
-    results.iter().map(|result| result.as_ref().map(integrals).unwrap_or_default()).collect()
+    let results = integrals_over_processes(&processes, controller, scenario);
+    results.iter().map(|result| result.as_ref().map(four).unwrap_or_default()).collect()
 }
 
 /// Margins of the controllers 0…count, one by one: there is no batch interface for them.

@@ -5,11 +5,11 @@ use std::hint::black_box;
 use std::time::Duration;
 
 use holdup::analysis::frequency::margins;
-use holdup::analysis::response::{simulate, simulate_with_trajectory};
+use holdup::analysis::response::{Integrals, Trajectory, integrals, refill_trajectory, simulate};
 use holdup::model::{ClosedLoop, Controller, Process, Seconds};
 use serde_json::json;
 
-use crate::work::{controller, integrals, process, scenario};
+use crate::work::{controller, four, process, scenario};
 use crate::{best, report};
 
 const SPEND: Duration = Duration::from_secs(1);
@@ -18,16 +18,19 @@ pub(crate) fn run() -> Result<(), Box<dyn Error>> {
     let closed = ClosedLoop::new(&process()?, &controller()?);
     let scenario = scenario(200.0)?;
 
-    let metrics = simulate(&closed, &scenario)?.metrics;
+    let found = integrals(&closed, &scenario)?;
+    let seconds = best(SPEND, || drop(black_box(integrals(black_box(&closed), black_box(&scenario)))));
+    report("metrics", 1, seconds, json!(four(&found)));
     let seconds = best(SPEND, || drop(black_box(simulate(black_box(&closed), black_box(&scenario)))));
-    report("metrics", 1, seconds, json!(integrals(&metrics)));
+    report("all_metrics", 1, seconds, json!(four(&Integrals::from(&simulate(&closed, &scenario)?.metrics))));
 
-    let times: Vec<f64> = (0..=20_000).map(|i| f64::from(i) * 0.01).collect();
-    let (response, _) = simulate_with_trajectory(&closed, &scenario, &times)?;
+    let time = (0..=20_000).map(|i| f64::from(i) * 0.01).collect();
+    let mut trajectory = Trajectory { time, ..Trajectory::default() };
+    let found = refill_trajectory(&closed, &scenario, &mut trajectory)?;
     let seconds = best(SPEND, || {
-        drop(black_box(simulate_with_trajectory(black_box(&closed), &scenario, black_box(&times))));
+        drop(black_box(refill_trajectory(black_box(&closed), &scenario, black_box(&mut trajectory))));
     });
-    report("points", 1, seconds, json!(integrals(&response.metrics)));
+    report("points", 1, seconds, json!(four(&found)));
 
     let found = margins(&closed)?;
     let seconds = best(SPEND, || drop(black_box(margins(black_box(&closed)))));
@@ -49,9 +52,9 @@ pub(crate) fn horizon() -> Result<(), Box<dyn Error>> {
     for dead_times in [10_u32, 30, 100, 300, 1000, 3000, 10_000] {
         for (what, closed, dead_time) in [("paper", &paper, 6.0), ("oscillating", &oscillating, 1.0)] {
             let scenario = scenario(f64::from(dead_times) * dead_time)?;
-            let metrics = simulate(closed, &scenario)?.metrics;
-            let seconds = best(SPEND / 4, || drop(black_box(simulate(black_box(closed), &scenario))));
-            report(what, u64::from(dead_times), seconds, json!(integrals(&metrics)));
+            let found = integrals(closed, &scenario)?;
+            let seconds = best(SPEND / 4, || drop(black_box(integrals(black_box(closed), &scenario))));
+            report(what, u64::from(dead_times), seconds, json!(four(&found)));
         }
     }
     Ok(())

@@ -1,7 +1,6 @@
 //! The work: the loop of the paper, and the sequences of processes and controllers that every peer can make for itself.
 
-use holdup::analysis::metrics::Metrics;
-use holdup::analysis::response::{Scenario, ScenarioError};
+use holdup::analysis::response::{Integrals, Scenario, ScenarioError};
 use holdup::model::{Controller, ModelError, Process, Seconds};
 
 /// Process gain [m/(m³·s)] and dead time [s] of the paper.
@@ -52,6 +51,6 @@ pub(crate) fn settings(index: u64) -> [f64; 3] {
 }
 
 /// The four integrals: IAE, ISE, ITAE, control energy.
-pub(crate) fn integrals(metrics: &Metrics) -> [Option<f64>; 4] {
-    [metrics.iae, metrics.ise, metrics.itae, metrics.control_energy]
+pub(crate) fn four(found: &Integrals) -> [Option<f64>; 4] {
+    [found.iae, found.ise, found.itae, found.control_energy]
 }

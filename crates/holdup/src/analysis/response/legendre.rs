@@ -113,23 +113,34 @@ pub(super) fn from_powers(c: &Poly) -> Poly {
 #[multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2"))]
 pub(super) fn evaluate(powers: &[f64], (start, scale): (f64, f64), times: &[f64], values: &mut [f64]) {
     let mut batches = values.chunks_exact_mut(BATCH);
-    let mut time_batches = times.chunks_exact(BATCH);
-    for (values, times) in batches.by_ref().zip(time_batches.by_ref()) {
-        let (mut points, mut sums) = ([0.0; BATCH], [0.0; BATCH]);
+    let time_batches = times.chunks_exact(BATCH);
+    let rest_of_times = time_batches.remainder();
+    for (values, times) in batches.by_ref().zip(time_batches) {
+        evaluate_batch(powers, (start, scale), times, values);
+    }
+    let rest = batches.into_remainder();
+    let (mut some_times, mut some_values) = ([start; BATCH], [0.0; BATCH]);
+    some_times[..rest.len()].copy_from_slice(rest_of_times);
+    evaluate_batch(powers, (start, scale), &some_times, &mut some_values);
+    rest.copy_from_slice(&some_values[..rest.len()]);
+}
+
+#[expect(
+    clippy::inline_always,
+    reason = "only what is inlined is compiled for the instruction set chosen at run time"
+)]
+#[inline(always)]
+fn evaluate_batch(powers: &[f64], (start, scale): (f64, f64), times: &[f64], values: &mut [f64]) {
+    let (mut points, mut sums) = ([0.0; BATCH], [0.0; BATCH]);
+    for i in 0..BATCH {
+        points[i] = ((times[i] - start) * scale - 1.0).clamp(-1.0, 1.0);
+    }
+    for &c in powers.iter().rev() {
         for i in 0..BATCH {
-            points[i] = ((times[i] - start) * scale - 1.0).clamp(-1.0, 1.0);
+            sums[i] = sums[i] * points[i] + c;
         }
-        for &c in powers.iter().rev() {
-            for i in 0..BATCH {
-                sums[i] = sums[i] * points[i] + c;
-            }
-        }
-        values.copy_from_slice(&sums);
     }
-    for (value, time) in batches.into_remainder().iter_mut().zip(time_batches.remainder()) {
-        let s = ((time - start) * scale - 1.0).clamp(-1.0, 1.0);
-        *value = powers.iter().rev().fold(0.0, |sum, c| sum * s + c);
-    }
+    values.copy_from_slice(&sums);
 }
 
 /// Values at both ends, s = −1 and s = 1.

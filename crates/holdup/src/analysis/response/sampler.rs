@@ -8,8 +8,8 @@ use super::scenario::Scenario;
 use super::system::System;
 use super::trajectory::Trajectory;
 
-/// A layer counts until it is this part of its signal.
-const UNSEEN: f64 = 1e-14;
+/// What is this part of a signal is not seen.
+const UNSEEN: f64 = 1e-13;
 
 /// Value at each time of what starts at `rest` and is held from event to event.
 fn hold(values: &mut Vec<f64>, times: &[f64], sorted: bool, rest: f64, events: &[(f64, f64)]) {
@@ -138,13 +138,22 @@ impl Curve<'_> {
 
     fn of_segment<'a>(segment: &Segment<'_>, signal: &'a Signal) -> Curve<'a> {
         let size = magnitude(&signal.smooth);
-        let terms = significant(&signal.smooth, 1e-16 * size);
+        let layer = &signal.layer[..segment.terms];
+        let floor = UNSEEN * (size + layer.iter().map(|q| q.abs()).sum::<f64>());
+        let terms = significant(&signal.smooth, floor);
+        // No e^(−θ)·θ^j/j! exceeds 1.
+        let mut left_out = 0.0;
+        let counts = |q: &f64| {
+            left_out += q.abs();
+            left_out > floor
+        };
+        let layer_terms = layer.iter().rposition(counts).map_or(0, |last| last + 1);
         Curve {
             start: segment.start,
             length: segment.length,
             powers: signal.smooth,
             terms,
-            layer: &signal.layer[..segment.terms],
+            layer: &layer[..layer_terms],
             factor: 1.0,
             rate: segment.rate,
             over: segment.start + segment.layer_over(signal, UNSEEN) / segment.rate.max(f64::MIN_POSITIVE),

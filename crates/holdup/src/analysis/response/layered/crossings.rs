@@ -12,8 +12,9 @@ use super::signals::Signals;
 use super::squares::dot;
 use super::tables::{EDGES, INVERSE, TABLES};
 
-/// Parts into which the polynomial is cut.
+/// Parts into which the polynomial is cut, and where they begin and end in units of one.
 const PARTS: usize = 8;
+const STEPS: [f64; PARTS + 1] = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0];
 
 /// What is known of the roots of the errors.
 pub(super) struct Crossings<const L: usize> {
@@ -97,9 +98,9 @@ pub(super) fn crossings<const L: usize>(
             (0, Some((roots, part))) => {
                 found.roots[l] = Some(roots);
                 if roots == 1 {
-                    let step = (1.0 - from.0[l]) / PARTS as f64;
-                    found.bracket.0.0[l] = from.0[l] + step * part as f64;
-                    found.bracket.1.0[l] = from.0[l] + step * (part + 1) as f64;
+                    let step = (1.0 - from.0[l]) / STEPS[PARTS];
+                    found.bracket.0.0[l] = from.0[l] + step * STEPS[part];
+                    found.bracket.1.0[l] = from.0[l] + step * STEPS[part + 1];
                     found.values.0.0[l] = nodes.values[part].0[l];
                     found.values.1.0[l] = nodes.values[part + 1].0[l];
                 }
@@ -260,10 +261,10 @@ struct Nodes<const L: usize> {
 impl<const L: usize> Nodes<L> {
     #[inline(always)]
     fn new(e: &Signals<L>, from: Lanes<L>, bend: Lanes<L>) -> Self {
-        let step = (Lanes::all(1.0) - from) * (1.0 / PARTS as f64);
+        let step = (Lanes::all(1.0) - from) * (1.0 / STEPS[PARTS]);
         let (mut values, mut slopes) = ([Lanes::ZERO; PARTS + 1], [Lanes::ZERO; PARTS + 1]);
         for k in 0..=PARTS {
-            let s = from + step * k as f64;
+            let s = from + step * STEPS[k];
             let (mut value, mut slope) = (Lanes::ZERO, Lanes::ZERO);
             for c in e.smooth[..e.order].iter().rev() {
                 lane_by_lane::<L>();
