@@ -254,6 +254,7 @@ fn equilibrium(rates: &[Row], inputs: &[Row], setpoint: f64, load: f64) -> Optio
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::analysis::response::{Scenario, simulate};
     use crate::model::{Controller, Observer, Process, Seconds};
 
     fn system(controller: Controller) -> System {
@@ -273,6 +274,19 @@ mod tests {
     fn at_rest_proportional_control_leaves_the_error_that_the_load_needs() {
         let rest = system(Controller::proportional(2.0).unwrap()).rest(3.0, 1.0);
         assert_eq!((rest.error, rest.manipulated), (-0.5, -1.0));
+    }
+
+    #[test]
+    fn two_dead_times_over_a_long_horizon_are_said_to_be_beyond_proof() {
+        let process = Process::integrating(0.0506, Seconds(6.0)).unwrap();
+        let observer = Observer::new(0.5).unwrap().with_model_dead_time(Seconds(6.6)).unwrap();
+        let two = ClosedLoop::new(&process, &Controller::proportional(1.0).unwrap().with_observer(observer));
+        let one = ClosedLoop::new(&process, &Controller::proportional(1.0).unwrap());
+        let warned = |closed: &ClosedLoop, horizon: f64| {
+            let step = Scenario::unit_setpoint_step(Seconds(horizon)).unwrap();
+            simulate(closed, &step).unwrap().warnings.iter().any(|w| w.starts_with("two dead times"))
+        };
+        assert!(warned(&two, 1321.0) && !warned(&two, 1320.0) && !warned(&one, 5000.0));
     }
 
     #[test]

@@ -10,7 +10,7 @@ use super::measure::Measure;
 use super::sampler::Sampler;
 use super::scenario::Scenario;
 use super::system::System;
-use super::{Response, measure_of, response, run};
+use super::{Response, beyond_proof, measure_of, response, run};
 
 /// Signals at requested times; at an event the value from the right.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -68,7 +68,9 @@ pub fn simulate_with_trajectory(
     let system = System::new(closed_loop);
     let mut both = Both(measure_of(scenario), Sampler::new(&system, scenario, times)?);
     let outcome = run(&system, scenario, &mut both)?;
-    Ok((response(scenario, &both.0, outcome), both.1.finish(outcome)))
+    let mut response = response(scenario, &both.0, outcome);
+    response.warnings.extend(beyond_proof(&system, scenario));
+    Ok((response, both.1.finish(outcome)))
 }
 
 /// The integrals, and the response at the times of `trajectory`, whose other values are overwritten in their memory: for

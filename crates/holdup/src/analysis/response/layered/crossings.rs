@@ -16,6 +16,10 @@ use super::tables::{EDGES, INVERSE, TABLES};
 const PARTS: usize = 8;
 const STEPS: [f64; PARTS + 1] = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0];
 
+/// Coefficients after which it is asked again whether there can be another change of sign.
+const BLOCK: usize = 16;
+const BLOCK_LENGTH: f64 = 16.0;
+
 /// What is known of the roots of the errors.
 pub(super) struct Crossings<const L: usize> {
     /// Number of roots of each loop, 0 or 1 where it is decided.
@@ -196,18 +200,19 @@ fn roots_in_layer<const L: usize>(stretch: &Stretch<'_, L>, over: f64) -> [Optio
     // Beyond the layer's terms there is the polynomial alone. Coefficients are means of what is near θ = j: ten widths past
     // the end of the layer they are nothing within it.
     #[expect(clippy::cast_precision_loss, reason = "at most 64")]
-    let beyond = over + 10.0 * over.sqrt() + 10.0 - stretch.terms as f64;
-    let (mut others, mut power, mut order) = (Lanes::ZERO, 1.0, 0.0);
-    for difference in &differences[1..] {
-        order += 1.0;
-        power *= beyond / order;
-        others += difference.abs() * power;
-    }
-    let steady = others.every(differences[0].abs(), |others, first| others < first);
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most 350")]
-    let more = if steady { 1 } else { beyond.max(0.0) as usize + 1 };
-    for _ in 0..more {
-        count.next(Lanes::ZERO, differences);
+    let mut beyond = over + 10.0 * over.sqrt() + 10.0 - stretch.terms as f64;
+    while beyond > 0.0 {
+        let (mut others, mut power, mut order) = (Lanes::ZERO, 1.0, 0.0);
+        for difference in &differences[1..] {
+            order += 1.0;
+            power *= beyond / order;
+            others += difference.abs() * power;
+        }
+        let steady = others.every(differences[0].abs(), |others, first| others < first);
+        for _ in 0..if steady { 1 } else { BLOCK } {
+            count.next(Lanes::ZERO, differences);
+        }
+        beyond = if steady { 0.0 } else { beyond - BLOCK_LENGTH };
     }
     let mut most = [None; L];
     for l in 0..L {

@@ -266,7 +266,11 @@ fn in_layer(segment: &Segment<'_>, x: &Signal, over: f64, extrema: &mut Extrema)
     Some(())
 }
 
+/// Coefficients after which it is asked again whether there can be another change of sign.
+const BLOCK: usize = 16;
+
 /// Sign changes of `t_j = r_j + Σ C(j, i)·S_i`, as far as these matter before `over`; one more where rounding may hide one.
+#[multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2"))]
 fn variations(r: &[f64], slope: &[f64], over: f64) -> usize {
     // Values of the polynomial Σ C(j, i)·S_i at j = 0, 1, …, from its differences, which are the S_i.
     let mut differences = [0.0; TERMS];
@@ -287,18 +291,19 @@ fn variations(r: &[f64], slope: &[f64], over: f64) -> usize {
     }
     // Beyond the layer's terms there is the polynomial alone. Coefficients are means of what is near θ = j: ten widths past
     // the end of the layer they are nothing within it.
-    let beyond = over + 10.0 * over.sqrt() + 10.0 - number(r.len());
-    let (mut others, mut power, mut order) = (0.0, 1.0, 0.0);
-    for difference in &differences[1..] {
-        order += 1.0;
-        power *= beyond / order;
-        others += difference.abs() * power;
-    }
-    let steady = differences[0].abs() > others;
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most 350")]
-    let more = if steady { 1 } else { beyond.max(0.0) as usize + 1 };
-    for _ in 0..more {
-        next(0.0, differences);
+    let mut beyond = over + 10.0 * over.sqrt() + 10.0 - number(r.len());
+    while beyond > 0.0 {
+        let (mut others, mut power, mut order) = (0.0, 1.0, 0.0);
+        for difference in &differences[1..] {
+            order += 1.0;
+            power *= beyond / order;
+            others += difference.abs() * power;
+        }
+        let steady = differences[0].abs() > others;
+        for _ in 0..if steady { 1 } else { BLOCK } {
+            next(0.0, differences);
+        }
+        beyond = if steady { 0.0 } else { beyond - number(BLOCK) };
     }
     count
 }
