@@ -4,11 +4,9 @@ use std::error::Error;
 use std::fs::read_to_string;
 use std::time::Instant;
 
-use holdup::analysis::batch::integrals_over_processes;
-use holdup::analysis::frequency::margins;
+use holdup::analysis::batch::{Robustness, integrals_over_processes, margins_of_controllers};
 use holdup::analysis::response::Scenario;
-use holdup::model::{ClosedLoop, Controller, Process};
-use rayon::prelude::*;
+use holdup::model::{Controller, Process};
 use serde_json::json;
 
 use crate::report;
@@ -21,25 +19,52 @@ const LISTED: usize = 20;
 type Four = [Option<f64>; 4];
 
 /// Integrals of the loops 0…count.
-fn integrals_of(count: u64, controller: &Controller, scenario: &Scenario) -> Vec<Four> {
+fn integrals_of(count: u64, controller: &Controller, scenario: &Scenario) -> Outcome {
     let processes: Vec<Process> = (0..count).filter_map(|index| perturbed(index).ok()).collect();
     let results = integrals_over_processes(&processes, controller, scenario);
-    results.iter().map(|result| result.as_ref().map(four).unwrap_or_default()).collect()
+    let mut outcome = Outcome::default();
+    for result in &results {
+        outcome.add(result.as_ref().map(four).unwrap_or_default());
+    }
+    outcome
 }
 
-/// Margins of the controllers 0…count, one by one: there is no batch interface for them.
-fn margins_of(count: u64) -> Vec<Four> {
-    let one = |index| -> Result<Four, Box<dyn Error>> {
-        let [kc, ti, td] = settings(index);
-        let found = margins(&ClosedLoop::new(&process()?, &pid(kc, ti, td)?))?;
-        Ok([
+/// Loops in one slice: what is read and written stays in the cache of the machine.
+const SLICE: usize = 16_384;
+
+/// What came out of many loops: how many have an M_s or its like, and the numbers of the first.
+#[derive(Default)]
+struct Outcome {
+    with_result: usize,
+    listed: Vec<Four>,
+}
+
+impl Outcome {
+    fn add(&mut self, four: Four) {
+        self.with_result += usize::from(four[3].is_some());
+        if self.listed.len() < LISTED {
+            self.listed.push(four);
+        }
+    }
+}
+
+/// Margins of these controllers, slice by slice.
+fn margins_of(process: &Process, controllers: &[Controller]) -> Outcome {
+    let four = |found: &Robustness| {
+        [
             found.gain_margin,
             found.phase_margin.map(|m| m.0),
             found.delay_margin.map(|m| m.0),
             found.sensitivity_peak,
-        ])
+        ]
     };
-    (0..count).into_par_iter().map(|index| one(index).unwrap_or_default()).collect()
+    let mut outcome = Outcome::default();
+    for slice in controllers.chunks(SLICE) {
+        for found in &margins_of_controllers(process, slice).loops {
+            outcome.add(found.as_ref().map(four).unwrap_or_default());
+        }
+    }
+    outcome
 }
 
 pub(crate) fn processes(count: u64, threads: usize) -> Result<(), Box<dyn Error>> {
@@ -48,7 +73,14 @@ pub(crate) fn processes(count: u64, threads: usize) -> Result<(), Box<dyn Error>
 }
 
 pub(crate) fn controllers(count: u64, threads: usize) -> Result<(), Box<dyn Error>> {
-    timed("controllers", count, threads, || margins_of(count))
+    let process = process()?;
+    // The slice is made beforehand: what is timed is what the library does with it.
+    let one = |index| {
+        let [kc, ti, td] = settings(index);
+        pid(kc, ti, td)
+    };
+    let slice = (0..count).map(one).collect::<Result<Vec<Controller>, _>>()?;
+    timed("controllers", count, threads, || margins_of(&process, &slice))
 }
 
 /// Processor time of this program so far, all threads [s], in hundredths; `None` where the system does not tell.
@@ -59,24 +91,28 @@ fn processor_time() -> Option<f64> {
     Some((ticks.next()? + ticks.next()?) / 100.0)
 }
 
-/// Runs the work once on so many threads and reports the time of one loop: processor time, which other programs on the
-/// machine do not lengthen, and time on the wall.
+/// Runs the work on so many threads, again until a second has passed, and reports the time of one loop: processor time, which
+/// other programs on the machine do not lengthen, and time on the wall.
 fn timed(
     what: &str,
     count: u64,
     threads: usize,
-    work: impl Fn() -> Vec<Four> + Send + Sync,
+    work: impl Fn() -> Outcome + Send + Sync,
 ) -> Result<(), Box<dyn Error>> {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
     let (from, before) = (Instant::now(), processor_time());
-    let results = pool.install(&work);
+    let mut outcome = pool.install(&work);
+    let mut runs = 1.0;
+    while from.elapsed().as_secs_f64() < 1.0 {
+        outcome = pool.install(&work);
+        runs += 1.0;
+    }
     let wall = from.elapsed().as_secs_f64();
     let spent = before.and_then(|before| Some(processor_time()? - before)).unwrap_or(wall);
-    let stable = results.iter().filter(|four| four[3].is_some()).count();
-    let listed = &results[..results.len().min(LISTED)];
     #[expect(clippy::cast_precision_loss, reason = "a count is below 2^52")]
-    let [each, wall] = [spent, wall].map(|seconds| seconds / count as f64);
-    let values = json!({ "threads": threads, "wall": wall, "with_result": stable, "listed": listed });
+    let [each, wall] = [spent, wall].map(|seconds| seconds / (runs * count as f64));
+    let Outcome { with_result, listed } = outcome;
+    let values = json!({ "threads": threads, "wall": wall, "with_result": with_result, "listed": listed });
     report(what, count, each, values);
     Ok(())
 }

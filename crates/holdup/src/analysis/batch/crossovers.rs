@@ -13,7 +13,9 @@
 //! is greatest there among all phase crossovers above, and there is none below.
 
 use super::form::{Forms, Turned};
+use super::kernel::Effort;
 use super::lanes::{Lanes, WIDTH, angle, flag, greater, lesser};
+use super::mesh::single;
 
 /// A right angle.
 const QUARTER: f64 = std::f64::consts::FRAC_PI_2;
@@ -30,18 +32,16 @@ pub(super) struct Crossovers {
     pub(super) decided: Lanes,
     /// Phase crossover, in radians per dead time.
     pub(super) turned: Lanes,
-    /// |L| at the phase crossover.
-    pub(super) gain_there: Lanes,
-    /// Slope of |1 + L|² at the phase crossover.
-    pub(super) slope_there: Lanes,
+    /// Gain margin: 1/|L| at the phase crossover.
+    pub(super) margin: Lanes,
     /// Whether the phase crossover is proven.
     pub(super) proven: Lanes,
 }
 
 impl Crossovers {
     #[inline(always)]
-    pub(super) fn new(forms: &Forms, passes: usize) -> Self {
-        let (gain, known) = gain_crossovers(forms, passes);
+    pub(super) fn new(forms: &Forms, effort: &Effort) -> Self {
+        let (gain, known) = gain_crossovers(forms, effort.gain);
         let mut phase = [0.0; WIDTH];
         let mut decided = [0.0; WIDTH];
         for i in 0..WIDTH {
@@ -52,43 +52,55 @@ impl Crossovers {
             // Nearer to the boundary the exact analysis decides.
             decided[i] = known[i] * flag((imaginary > 0.0) & (phase[i].abs() > 1e-6));
         }
-        let mut found = Self {
-            gain,
-            phase,
-            decided,
-            turned: [0.0; WIDTH],
-            gain_there: [0.0; WIDTH],
-            slope_there: [0.0; WIDTH],
-            proven: [0.0; WIDTH],
-        };
-        found.phase_crossovers(forms, passes);
+        let mut found =
+            Self { gain, phase, decided, turned: [0.0; WIDTH], margin: [0.0; WIDTH], proven: [0.0; WIDTH] };
+        found.phase_crossovers(forms, effort.phase);
         found
     }
 
     /// Phase crossovers, what is known there, and where they are proven.
     #[inline(always)]
     fn phase_crossovers(&mut self, forms: &Forms, passes: usize) {
-        let (mut omega, mut step) = ([0.0; WIDTH], [0.0; WIDTH]);
+        let (mut omega, mut settled) = ([0.0; WIDTH], [0.0; WIDTH]);
         for i in 0..WIDTH {
-            let ([c0, c1, c2], [d0, d1]) = (forms.one(i).c, forms.one(i).d);
-            // One step from π/2, where φ = −arctan(c/d); t/(1 + 0.28·t²) is near enough to the arc tangent.
-            let x = QUARTER * QUARTER;
-            let (c, d) = (c0 + x * (c1 + x * c2), QUARTER * (d0 + x * d1));
-            let (dc, dd) = (QUARTER * (2.0 * c1 + 4.0 * c2 * x), d0 + 3.0 * d1 * x);
-            let square = c * c + d * d;
+            // Single precision is enough for a start.
+            const QUARTER: f32 = std::f32::consts::FRAC_PI_2;
+            let ([c0, c1, c2], [d0, d1]) = (forms.one(i).c.map(single), forms.one(i).d.map(single));
+            let parts = |omega: f32| {
+                let x = omega * omega;
+                (c0 + x * (c1 + x * c2), omega * (d0 + x * d1))
+            };
+            // φ', but no flatter than −0.2.
+            let slope = |omega: f32| {
+                let (x, (c, d)) = (omega * omega, parts(omega));
+                let (dc, dd) = (omega * (2.0 * c1 + 4.0 * c2 * x), d0 + 3.0 * d1 * x);
+                let slope = (c * dd - d * dc) / (c * c + d * d) - 1.0;
+                if slope < -0.2 { slope } else { -0.2 }
+            };
+            let within = |omega: f32| {
+                let omega = if omega > 0.3 * QUARTER { omega } else { 0.3 * QUARTER };
+                if omega < 1.9 * QUARTER { omega } else { 1.9 * QUARTER }
+            };
+            // From π/2, where φ = −arctan(c/d), with the mean of the slopes there and where that slope leads to;
+            // t/(1 + 0.28·t²) is near enough to the arc tangent.
+            let (c, d) = parts(QUARTER);
             let lead = c * d / (d * d + 0.28 * c * c);
-            let slope = (c * dd - d * dc) / square - 1.0;
-            let first = QUARTER + lead / lesser(slope, -0.2);
-            omega[i] = lesser(greater(first, 0.5 * QUARTER), 1.9 * QUARTER);
+            let first = slope(QUARTER);
+            let second = slope(within(QUARTER + lead / first));
+            omega[i] = f64::from(within(QUARTER + 2.0 * lead / (first + second)));
         }
         for _ in 0..passes {
             for i in 0..WIDTH {
                 // Halley's method, in steps of at most half the frequency.
-                let Turned { w, .. } = forms.one(i).turned(omega[i]);
+                let Turned { v, w } = forms.one(i).turned(omega[i]);
                 let most = 0.5 * omega[i];
                 let full = 2.0 * w[0] * w[1] / (2.0 * w[1] * w[1] - w[0] * w[2]);
-                step[i] = lesser(greater(full, -most), most);
-                omega[i] = lesser(omega[i] - step[i], 1.99 * QUARTER);
+                let step = lesser(greater(full, -most), most);
+                // What a step leaves is it times (step·w″/w′)²/4 and (step/ω)², less than 1e-10 of ω. That φ is near 0 here,
+                // of all multiples of π in (−2π, π), is seen from V > 0.
+                let short = (step.abs() < 3e-4 * omega[i]) & ((step * w[2]).abs() < 5e-4 * w[1].abs());
+                settled[i] = flag(short & (w[1] < -1e-2 * v[0]));
+                omega[i] = lesser(omega[i] - step, 1.99 * QUARTER);
             }
         }
         for i in 0..WIDTH {
@@ -113,16 +125,9 @@ impl Crossovers {
             let one_change = !(may_fall(rate[0])
                 | (may_fall(rate[1]) & (may_rise(rate[2]) | may_rise(rate[3])))
                 | (may_fall(rate[2]) & may_rise(rate[3])));
-            self.gain_there[i] = form.gain_squared(omega[i] * omega[i]).sqrt();
-            // Halley's steps are cubed: what is left is below rounding. At the place before the last step φ is thus known
-            // to be near a multiple of π; that it is 0, of (−2π, π), is seen from V > 0.
-            let Turned { v, w } = form.turned(omega[i]);
-            let distance = form.distance(omega[i], &v);
-            self.slope_there[i] = form.k * distance.z / (distance.e * distance.e);
-            let near = (step[i].abs() < 1e-4 * omega[i]) & (w[0].abs() < 1e-11 * v[0]);
-            let falls = w[1] < -1e-2 * v[0];
+            self.margin[i] = form.inverse_gain_squared(omega[i] * omega[i]).sqrt();
             let inside = (omega[i] > self.gain[i]) & (omega[i] < 1.98 * QUARTER);
-            self.proven[i] = flag(one_change & near & falls & inside);
+            self.proven[i] = flag(one_change & inside) * settled[i];
         }
         self.turned = omega;
     }
@@ -136,12 +141,20 @@ fn gain_crossovers(forms: &Forms, passes: usize) -> (Lanes, Lanes) {
         let form = forms.one(i);
         let square = form.k * form.k;
         let [n0, n1, n2] = form.n.map(|n| square * n);
-        // Without filter and lag the equation is quadratic; their factor, at its root, then taken as constant.
-        let root = |factor: f64| (n1 + (n1 * n1 + 4.0 * factor * n0).sqrt()) / (2.0 * factor);
-        let highest = root(1.0 - n2);
-        let factor = 1.0 + highest * (form.e[0] + highest * form.e[1]);
-        x[i] = root(factor - n2);
+        // Without filter and lag the equation is quadratic.
+        let factor = 1.0 - n2;
+        x[i] = (n1 + (n1 * n1 + 4.0 * factor * n0).sqrt()) / (2.0 * factor);
         proven[i] = forms.applies[i] * flag(n2 < 0.999_999);
+    }
+    if forms.lag {
+        for i in 0..WIDTH {
+            // Their factor at that place, taken as constant.
+            let form = forms.one(i);
+            let square = form.k * form.k;
+            let [n0, n1, n2] = form.n.map(|n| square * n);
+            let factor = 1.0 + x[i] * (form.e[0] + x[i] * form.e[1]) - n2;
+            x[i] = (n1 + (n1 * n1 + 4.0 * factor * n0).sqrt()) / (2.0 * factor);
+        }
     }
     for _ in 0..passes {
         for i in 0..WIDTH {

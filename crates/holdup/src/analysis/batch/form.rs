@@ -136,8 +136,11 @@ impl Forms {
             forms.d[1][i] = f * g - lag * skew;
             forms.e[0][i] = f2 + lag2;
             forms.e[1][i] = f2 * lag2;
-            // Beyond that no loop is of use, and squares of squares would overflow.
+            // Beyond that no loop is of use, squares of squares would overflow, and an integral action too slow to tell from
+            // none is for the exact analysis to judge.
+            let integrates = (a == 0.0) | (a > 1e-6);
             let ordinary = (k > 1e-6) & (k < 1e6) & (a < 1e6) & (b < 1e6) & (f < 1e6) & (lag < 1e6);
+            let ordinary = ordinary & integrates;
             forms.applies[i] = flag(ordinary & (n1 > 1e-9 * (1.0 + a * a * f * f)));
         }
         forms
@@ -156,12 +159,12 @@ impl Forms {
 }
 
 impl Form {
-    /// |L|².
+    /// 1/|L|².
     #[inline(always)]
-    pub(super) fn gain_squared(&self, x: f64) -> f64 {
+    pub(super) fn inverse_gain_squared(&self, x: f64) -> f64 {
         let [n0, n1, n2] = self.n;
         let [e1, e2] = self.e;
-        self.k * self.k * (n0 + x * (n1 + x * n2)) / (x * x * (1.0 + x * (e1 + x * e2)))
+        x * x * (1.0 + x * (e1 + x * e2)) / (self.k * self.k * (n0 + x * (n1 + x * n2)))
     }
 
     /// V and W at a frequency in [0, π].

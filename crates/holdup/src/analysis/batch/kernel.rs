@@ -22,32 +22,43 @@ pub(super) struct Answers {
     pub(super) peak: Lanes,
 }
 
-/// The answers for these loops by few steps and the coarse mesh.
-pub(super) fn quick(settings: &Settings) -> Answers {
-    block(settings, &COARSE, 4, false)
+/// How much is done for each answer.
+pub(super) struct Effort {
+    /// Steps of Newton's method for the gain crossover.
+    pub(super) gain: usize,
+    /// Steps of Halley's method for the phase crossover.
+    pub(super) phase: usize,
+    /// Steps of Newton's method for the sensitivity peak, but one.
+    pub(super) peak: usize,
+    /// Every how many places of the mesh the peak is looked for.
+    pub(super) stride: usize,
 }
 
-/// The answers by more steps, from many starts, on the fine mesh.
+/// The answers for these loops by few steps and the coarse mesh.
+pub(super) fn quick(settings: &Settings) -> Answers {
+    block(settings, &COARSE, &Effort { gain: 3, phase: 2, peak: 2, stride: 2 })
+}
+
+/// The answers by more steps, from closer starts, on the fine mesh.
 pub(super) fn thorough(settings: &Settings) -> Answers {
-    block(settings, &FINE, 12, true)
+    block(settings, &FINE, &Effort { gain: 12, phase: 8, peak: 2, stride: 2 })
 }
 
 #[multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2"))]
-fn block(settings: &Settings, mesh: &Mesh, passes: usize, thorough: bool) -> Answers {
+fn block(settings: &Settings, mesh: &Mesh, effort: &Effort) -> Answers {
     let forms = Forms::new(settings);
-    let at = Crossovers::new(&forms, passes);
-    let peaks = Peaks::new(&forms, &at, mesh, passes, thorough);
+    let at = Crossovers::new(&forms, effort);
+    let peaks = Peaks::new(&forms, &at, mesh, effort);
     let mut answers = Answers {
         decided: at.decided,
         proven: peaks.proven,
         phase: at.phase,
         delay: [0.0; WIDTH],
-        gain: [0.0; WIDTH],
+        gain: at.margin,
         peak: [0.0; WIDTH],
     };
     for i in 0..WIDTH {
         answers.delay[i] = at.phase[i] / at.gain[i];
-        answers.gain[i] = 1.0 / at.gain_there[i];
         answers.peak[i] = 1.0 / peaks.squared[i].sqrt();
     }
     answers

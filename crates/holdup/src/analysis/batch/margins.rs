@@ -8,8 +8,18 @@ use super::kernel::{self, Answers};
 use super::lanes::WIDTH;
 use crate::model::{ClosedLoop, Controller, Process, Radians, Seconds};
 
-/// Loops that one thread takes at a time.
-const SHARE: usize = 32 * WIDTH;
+/// Blocks that one thread takes at a time.
+const SHARE: usize = 32;
+
+/// An unstable loop has no margins.
+const NOTHING: Robustness = Robustness {
+    stable: false,
+    gain_margin: None,
+    gain_margin_low: None,
+    phase_margin: None,
+    delay_margin: None,
+    sensitivity_peak: None,
+};
 
 /// The numbers of [`Margins`] that tell how robust a loop is; of an unstable loop they are `None`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -57,8 +67,8 @@ pub struct ManyMargins {
 
 /// The margins of each of these controllers on one process.
 ///
-/// Each result agrees with that of [`margins`] to 1e-9 (relative). Fast, some ten million loops a second and core, are
-/// stable and unstable loops of an integrator with or without lag under P, PI, PD or PID control with 2·Td < Ti and the
+/// Each result agrees with that of [`margins`] to 1e-9 (relative). Fast, some million loops a second and core, are
+/// loops of an integrator with or without lag under P, PI, PD or PID control with 2·Td < Ti and the
 /// sign of negative feedback, where they have no lower gain margin; all others take as long as [`margins`] does.
 ///
 /// ```
@@ -97,70 +107,85 @@ pub fn margins_of_processes(processes: &[Process], controller: &Controller) -> M
     many(processes.len(), |i| (&processes[i], controller))
 }
 
-fn many<'a>(count: usize, of: impl Fn(usize) -> (&'a Process, &'a Controller) + Sync) -> ManyMargins {
-    let nothing = Robustness {
-        stable: false,
-        gain_margin: None,
-        gain_margin_low: None,
-        phase_margin: None,
-        delay_margin: None,
-        sensitivity_peak: None,
-    };
-    let mut loops = vec![Ok(nothing); count];
-    let share = |(number, places): (usize, &mut [Result<Robustness, FrequencyError>])| {
-        let first = number * SHARE;
-        fill(places, &|i| of(first + i))
-    };
-    let one_by_one = loops.par_chunks_mut(SHARE).enumerate().map(share).sum();
-    ManyMargins { loops, one_by_one }
+/// One result.
+type Found = Result<Robustness, FrequencyError>;
+
+/// Of a block of loops, one bit each: which need a closer look, and which the lanes are not made for.
+#[derive(Clone, Copy, Default)]
+struct Left {
+    again: u32,
+    alone: u32,
 }
 
-/// Fills the places; returns how many loops were analysed one by one.
-fn fill<'a>(
-    places: &mut [Result<Robustness, FrequencyError>],
-    of: &impl Fn(usize) -> (&'a Process, &'a Controller),
-) -> usize {
-    let (mut again, mut alone) = (Vec::new(), Vec::new());
-    for first in (0..places.len()).step_by(WIDTH) {
-        let mut settings = Settings::default();
-        let width = WIDTH.min(places.len() - first);
-        let mut fits = [false; WIDTH];
-        for lane in 0..width {
-            let (process, controller) = of(first + lane);
-            fits[lane] = settings.set(lane, process, controller);
-        }
-        let answers = kernel::quick(&settings);
-        for lane in 0..width {
-            let place = first + lane;
-            if !fits[lane] {
-                alone.push(place);
-            } else if let Some(found) = robustness(&answers, lane, settings.dead_time[lane]) {
-                places[place] = Ok(found);
-            } else {
-                again.push(place);
-            }
-        }
-    }
-    for block in again.chunks(WIDTH) {
-        let mut settings = Settings::default();
-        for (lane, &place) in block.iter().enumerate() {
-            let (process, controller) = of(place);
-            settings.set(lane, process, controller);
-        }
-        let answers = kernel::thorough(&settings);
-        for (lane, &place) in block.iter().enumerate() {
-            match robustness(&answers, lane, settings.dead_time[lane]) {
-                Some(found) => places[place] = Ok(found),
-                None => alone.push(place),
-            }
+fn many<'a>(count: usize, of: impl Fn(usize) -> (&'a Process, &'a Controller) + Sync) -> ManyMargins {
+    let (mut blocks, mut left): (Vec<[Found; WIDTH]>, Vec<Left>) = (Vec::new(), Vec::new());
+    let quick = |block: usize| {
+        let first = block * WIDTH;
+        quick(WIDTH.min(count - first), |lane| of(first + lane))
+    };
+    let all = (0..count.div_ceil(WIDTH)).into_par_iter().with_min_len(SHARE);
+    all.map(quick).unzip_into_vecs(&mut blocks, &mut left);
+    let mut loops = blocks.into_flattened();
+    loops.truncate(count);
+
+    let places = |bits: fn(&Left) -> u32| -> Vec<usize> {
+        let of_block = |(block, left): (usize, &Left)| {
+            let bits = bits(left);
+            (0..WIDTH).filter(move |lane| bits >> lane & 1 == 1).map(move |lane| block * WIDTH + lane)
+        };
+        left.iter().enumerate().flat_map(of_block).collect()
+    };
+    let (again, mut alone) = (places(|left| left.again), places(|left| left.alone));
+    let thorough = |block: &[usize]| thorough(block, &of);
+    let closer: Vec<Option<Robustness>> = again.par_chunks(WIDTH).flat_map_iter(thorough).collect();
+    for (&place, found) in again.iter().zip(closer) {
+        match found {
+            Some(found) => loops[place] = Ok(found),
+            None => alone.push(place),
         }
     }
-    for &place in &alone {
+    let exact = |&place: &usize| {
         let (process, controller) = of(place);
-        places[place] =
-            margins(&ClosedLoop::new(process, controller)).map(|margins| Robustness::from(&margins));
+        margins(&ClosedLoop::new(process, controller)).map(|margins| Robustness::from(&margins))
+    };
+    let found: Vec<Found> = alone.par_iter().map(exact).collect();
+    for (&place, found) in alone.iter().zip(found) {
+        loops[place] = found;
     }
-    alone.len()
+    ManyMargins { loops, one_by_one: alone.len() }
+}
+
+/// The answers of a block, so many of them, by few steps.
+fn quick<'a>(width: usize, of: impl Fn(usize) -> (&'a Process, &'a Controller)) -> ([Found; WIDTH], Left) {
+    let (mut settings, mut left) = (Settings::default(), Left::default());
+    for lane in 0..width {
+        let (process, controller) = of(lane);
+        left.alone |= u32::from(!settings.set(lane, process, controller)) << lane;
+    }
+    let answers = kernel::quick(&settings);
+    let mut found = [Ok(NOTHING); WIDTH];
+    for lane in 0..width {
+        match robustness(&answers, lane, settings.dead_time[lane]) {
+            Some(answer) => found[lane] = Ok(answer),
+            None => left.again |= 1 << lane,
+        }
+    }
+    left.again &= !left.alone;
+    (found, left)
+}
+
+/// The answers of the loops at these places by more steps, where they are proven.
+fn thorough<'a>(
+    places: &[usize],
+    of: &impl Fn(usize) -> (&'a Process, &'a Controller),
+) -> Vec<Option<Robustness>> {
+    let mut settings = Settings::default();
+    for (lane, &place) in places.iter().enumerate() {
+        let (process, controller) = of(place);
+        settings.set(lane, process, controller);
+    }
+    let answers = kernel::thorough(&settings);
+    (0..places.len()).map(|lane| robustness(&answers, lane, settings.dead_time[lane])).collect()
 }
 
 /// The answer for one lane, where it is proven.
@@ -168,17 +193,15 @@ fn robustness(answers: &Answers, lane: usize, dead_time: f64) -> Option<Robustne
     if answers.decided[lane] == 0.0 {
         return None;
     }
-    let stable = answers.phase[lane] > 0.0;
-    if stable && answers.proven[lane] == 0.0 {
-        return None;
+    if answers.phase[lane] <= 0.0 {
+        return Some(NOTHING);
     }
-    let when_stable = |value: f64| stable.then_some(value);
-    Some(Robustness {
-        stable,
-        gain_margin: when_stable(answers.gain[lane]),
+    (answers.proven[lane] != 0.0).then(|| Robustness {
+        stable: true,
+        gain_margin: Some(answers.gain[lane]),
         gain_margin_low: None,
-        phase_margin: when_stable(answers.phase[lane]).map(Radians),
-        delay_margin: when_stable(answers.delay[lane] * dead_time).map(Seconds),
-        sensitivity_peak: when_stable(answers.peak[lane]),
+        phase_margin: Some(Radians(answers.phase[lane])),
+        delay_margin: Some(Seconds(answers.delay[lane] * dead_time)),
+        sensitivity_peak: Some(answers.peak[lane]),
     })
 }

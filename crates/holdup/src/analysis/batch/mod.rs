@@ -10,6 +10,15 @@
 //! that runs them, and give an answer only where it is proven to be that of the exact analysis; the others are analysed
 //! one by one.
 
+#![expect(
+    clippy::inline_always,
+    reason = "only what is inlined is compiled for the instruction set chosen at run time"
+)]
+#![expect(
+    clippy::needless_bitwise_bool,
+    reason = "a lazy operator is a branch, and branches keep loops from being vectors"
+)]
+
 mod crossovers;
 mod form;
 mod integrals;
