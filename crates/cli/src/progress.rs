@@ -32,6 +32,11 @@ impl Progress {
             };
             ctrlc::set_handler(handler).is_ok()
         });
+        Self::without_end(unit, total)
+    }
+
+    /// The same where Ctrl-C ends the command at once: nothing is written before the last of it is known.
+    pub(crate) fn without_end(unit: &'static str, total: u64) -> Self {
         let bar = ProgressBar::with_draw_target(Some(total), ProgressDrawTarget::hidden());
         let template = format!("{{wide_bar}} {{human_pos}} of {{human_len}} {unit}, {{eta}} left");
         if let Ok(style) = ProgressStyle::with_template(&template) {

@@ -8,6 +8,7 @@ use holdup::model::{ClosedLoop, Controller, Process, Seconds};
 use holdup::tuning::optimise::{
     Limits, Objective, OptimiseError, Optimum, Quantity, Structure, optimise, trade_off,
 };
+use holdup::tuning::ranking::{ORDERS, rank};
 
 fn normal() -> Process {
     Process::integrating(1.0, Seconds(1.0)).unwrap()
@@ -130,7 +131,6 @@ fn objectives_without_an_optimum_are_refused_with_the_reason() {
 }
 
 #[test]
-#[ignore = "takes minutes: every design of the sweep exceeds its limit"]
 fn limits_that_exclude_each_other_are_named_with_the_nearest_value() {
     let limits = at_most(1.3).with(Quantity::LoadIae, 10.0);
     let Err(OptimiseError::Infeasible(conflict)) =
@@ -145,7 +145,6 @@ fn limits_that_exclude_each_other_are_named_with_the_nearest_value() {
 }
 
 #[test]
-#[ignore = "takes minutes: a branch and bound for every design"]
 fn the_largest_box_is_larger_than_that_of_a_rule_of_the_same_iae() {
     let family = Family::ranges([0.8, 1.2], [0.8, 1.2]).unwrap();
     let objective = Objective::RobustBox { family, sensitivity_peak: 2.0 };
@@ -154,4 +153,70 @@ fn the_largest_box_is_larger_than_that_of_a_rule_of_the_same_iae() {
     let of_rule = holdup::tuning::robust::largest_family(&normal(), &simc, &family, 2.0).unwrap().unwrap();
     assert!(1.0 / found.value >= of_rule.size * (1.0 - 1e-6), "{} {}", 1.0 / found.value, of_rule.size);
     assert!(found.load.unwrap().iae.unwrap() <= 16.0 * (1.0 + 1e-9));
+}
+
+#[test]
+fn no_rule_lies_below_the_frontier_of_its_structure() {
+    let peaks = [1.2, 1.4, 1.6, 1.8, 2.0, 2.5, 3.0];
+    for (name, structure) in [("PI", Structure::Pi), ("PID", Structure::Pid)] {
+        let limits = Limits::default();
+        let best = trade_off(&normal(), structure, Objective::LoadIae, &limits, &peaks).unwrap();
+        let ranking = rank(&normal(), &ORDERS[0], |entry| entry.structure == name);
+        let mut compared = 0;
+        for rule in &ranking.rules {
+            let controller = &rule.tuning.controller;
+            let filtered = controller.derivative_filter().is_some() || controller.output_filter().is_some();
+            let (Some(peak), Some(iae), false) = (rule.achieved.sensitivity_peak, rule.load_iae(), filtered)
+            else {
+                continue;
+            };
+            // What is best at a peak that is allowed more is better than every rule below it.
+            if let Some(best) = best.iter().find(|best| best.sensitivity_peak >= peak) {
+                compared += 1;
+                assert!(best.value <= iae, "{}: {iae} at {peak}, found {best:?}", rule.entry.id);
+            }
+        }
+        assert!(compared > 5, "{name}: {compared}");
+    }
+}
+
+#[test]
+fn the_optimum_is_that_of_the_literature() {
+    // S. Skogestad and C. Grimholt, The SIMC method for smooth PID controller tuning, in: PID Control in the Third
+    // Millennium, Springer 2012: least IAE of PI on e^(-s)/s at M_s = 1.59, 2.17 after a setpoint step (for which the
+    // integral action vanishes) and 15.1 after a load step. The values as cited by others, not read in the original.
+    let setpoint = best(Structure::P, Objective::SetpointIae, &at_most(1.59));
+    let load = best(Structure::Pi, Objective::LoadIae, &at_most(1.59));
+    assert!((setpoint.value - 2.17).abs() < 0.005 && (load.value - 15.1).abs() < 0.05); // half their last digit
+}
+
+#[test]
+fn a_search_by_brute_force_finds_nothing_better() {
+    let found = best(Structure::Pi, Objective::LoadIae, &at_most(1.6));
+    let mut least = f64::INFINITY;
+    for index in 0..80 {
+        let with = |gain: f64| {
+            let time = Seconds(4.0 + 0.05 * f64::from(index));
+            Controller::proportional(gain).unwrap().with_integral_time(time).unwrap()
+        };
+        let keeps = |gain: f64| {
+            let peak = margins(&ClosedLoop::new(&normal(), &with(gain))).unwrap().sensitivity_peak;
+            peak.is_some_and(|peak| peak <= 1.6)
+        };
+        // The greatest gain on a fine row, from above.
+        let Some(gain) = (0..300).map(|i| 0.7 * 0.995_f64.powi(i)).find(|&gain| keeps(gain)) else {
+            continue;
+        };
+        least = least.min(to_infinity(&normal(), &with(gain), Input::Load).unwrap().iae.unwrap());
+    }
+    // The row of gains is 0.5 % apart.
+    assert!(least >= found.value * (1.0 - 1e-9) && least < found.value * 1.01, "{least} {}", found.value);
+}
+
+#[test]
+fn the_end_of_an_interval_that_shrinks_to_a_point_is_followed() {
+    // At M_s = 1.3 the best PID lies where low and high frequencies leave one gain; a grid of 0.05 in Ti and 0.005 in Td
+    // met 15.531, a search that stops at that edge 15.544.
+    let found = best(Structure::Pid, Objective::LoadIae, &at_most(1.3));
+    assert!(found.value < 15.509 && found.agreeing >= 2, "{} {}", found.value, found.agreeing);
 }

@@ -9,7 +9,9 @@ use holdup::model::quantity::{read_angle, read_number, read_time};
 use holdup::model::{Controller, Process};
 use holdup::study::figures::{Axis, Figure, FigureError, Mark, Panel, Series, Tone};
 use holdup::tuning::optimise::level::{Averaging, Demand, averaging};
-use holdup::tuning::optimise::{Limits, Objective, Optimum, Point, Quantity, Structure, optimise, trade_off};
+use holdup::tuning::optimise::{
+    Limits, Objective, Optimum, Point, Quantity, Structure, optimise, trade_off_with,
+};
 use holdup::tuning::ranking::{ORDERS, rank};
 use serde_json::{Value, json};
 
@@ -17,6 +19,7 @@ use super::view::{check_kind, controller_line, figure_file, margins_table, proce
 use crate::console::{Answer, Console};
 use crate::fault::Fault;
 use crate::input::process;
+use crate::progress::Progress;
 use crate::table::{number, table, title};
 
 /// The sensitivity peaks of the frontier.
@@ -106,13 +109,19 @@ pub(crate) fn run(args: &OptimiseArgs, console: Console) -> Result<Answer, Fault
         Objective::RobustBox { .. } => limits.without(Quantity::SensitivityPeak),
         _ => limits,
     };
+    let with_frontier = args.trade_off || args.plot.is_some();
+    let progress = Progress::without_end("optima", 1 + if with_frontier { PEAKS.len() as u64 } else { 0 });
     let best = optimise(&process, structure, objective, &limits).map_err(Fault::input)?;
-    let frontier = if args.trade_off || args.plot.is_some() {
+    progress.add(1);
+    let frontier = if with_frontier {
         let limits = limits.clone().without(Quantity::SensitivityPeak);
-        Some(trade_off(&process, structure, objective, &limits, &PEAKS).map_err(Fault::input)?)
+        let mut each = || progress.add(1);
+        let points = trade_off_with(&process, structure, objective, &limits, &PEAKS, &mut each);
+        Some(points.map_err(Fault::input)?)
     } else {
         None
     };
+    progress.end();
     let mut files = Vec::new();
     if let (Some(path), Some(points)) = (&args.plot, &frontier) {
         let figure = figure(&process, structure, objective, points).map_err(Fault::input)?;

@@ -56,7 +56,7 @@ pub(crate) struct RobustArgs {
     /// How the factors are distributed: uniform, log-uniform, triangular or normal (range = ±2 deviations)
     #[arg(long, value_name = "NAME", default_value = "uniform")]
     pub(crate) distribution: String,
-    /// Write every run to this file: .csv or .parquet
+    /// Write every run to this file: .csv or .parquet; it is complete also where a --require is not met
     #[arg(long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
     /// Give percentiles of the response over time

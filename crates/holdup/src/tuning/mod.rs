@@ -22,7 +22,7 @@ mod error;
 mod exact;
 mod expression;
 mod formula;
-pub mod frontier;
+mod line;
 mod nearest;
 pub mod optimise;
 mod parameters;

@@ -182,7 +182,7 @@ pub(super) fn rotated_bounds(&[b0, b1, b2, b3]: &[f64; 4], t: f64) -> [f64; 4] {
 }
 
 /// Jet of `a·conj(b)`.
-fn product(a: Jet, b: Jet) -> Jet {
+pub(super) fn product(a: Jet, b: Jet) -> Jet {
     let b = b.map(|z| z.conj());
     [a[0] * b[0], a[1] * b[0] + a[0] * b[1], a[2] * b[0] + a[1] * b[1] * 2.0 + a[0] * b[2]]
 }
@@ -200,7 +200,7 @@ pub(super) fn real(jet: &Jet) -> Quadratic {
 }
 
 /// Bounds of the derivatives of a product.
-fn product_bounds(p: &[f64; 4], q: &[f64; 4]) -> [f64; 4] {
+pub(super) fn product_bounds(p: &[f64; 4], q: &[f64; 4]) -> [f64; 4] {
     [
         p[0] * q[0],
         p[1] * q[0] + p[0] * q[1],
@@ -210,7 +210,7 @@ fn product_bounds(p: &[f64; 4], q: &[f64; 4]) -> [f64; 4] {
 }
 
 /// |z|² along the axis.
-fn squared(z: &Jet) -> Quadratic {
+pub(super) fn squared(z: &Jet) -> Quadratic {
     let dot = |a: Complex<f64>, b: Complex<f64>| a.re * b.re + a.im * b.im;
     Quadratic {
         f: dot(z[0], z[0]),
@@ -220,20 +220,20 @@ fn squared(z: &Jet) -> Quadratic {
 }
 
 /// `p − q`, term by term.
-fn difference(p: Quadratic, q: Quadratic) -> Quadratic {
+pub(super) fn difference(p: Quadratic, q: Quadratic) -> Quadratic {
     Quadratic { f: p.f - q.f, df: p.df - q.df, ddf: p.ddf - q.ddf }
 }
 
-fn sum(p: Quadratic, q: Quadratic) -> Quadratic {
+pub(super) fn sum(p: Quadratic, q: Quadratic) -> Quadratic {
     Quadratic { f: p.f + q.f, df: p.df + q.df, ddf: p.ddf + q.ddf }
 }
 
-fn scaled(factor: f64, q: Quadratic) -> Quadratic {
+pub(super) fn scaled(factor: f64, q: Quadratic) -> Quadratic {
     Quadratic { f: factor * q.f, df: factor * q.df, ddf: factor * q.ddf }
 }
 
 /// Bound of the third derivative of |z|², and the rounding error of its value.
-fn squared_bounds(z: &[f64; 4]) -> (f64, f64) {
+pub(super) fn squared_bounds(z: &[f64; 4]) -> (f64, f64) {
     (2.0 * (z[0] * z[3] + 3.0 * z[1] * z[2]), ROUNDING * z[0] * z[0])
 }
 

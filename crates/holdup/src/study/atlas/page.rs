@@ -1,10 +1,11 @@
 //! The atlas as one HTML page that works offline: the plane, the tables, a section for each rule.
 
 use super::{Atlas, AtlasRule, FIGURES, digits, process_words};
+use crate::model::{Process, Seconds};
 use crate::study::figures::page::{Column, Page, Section, Table};
 use crate::study::figures::{Axis, Figure, Line, Mark, Panel, Reference, Series, Tone};
 use crate::study::report::ReportError;
-use crate::tuning::frontier::{Best, Structure, frontier};
+use crate::tuning::optimise::{Limits, Objective, Point, Structure, trade_off};
 use crate::tuning::{Applies, Default, Judgement, Parameter, Status};
 
 /// The sensitivity peaks of the frontiers.
@@ -40,11 +41,7 @@ pub fn page(atlas: &Atlas) -> Result<Page, ReportError> {
 }
 
 fn plane_section(atlas: &Atlas) -> Result<Section, ReportError> {
-    let (pi, pid) = std::thread::scope(|scope| {
-        let pi = scope.spawn(|| frontier(Structure::Pi, &PEAKS));
-        let pid = frontier(Structure::Pid, &PEAKS);
-        (pi.join().unwrap_or_default(), pid)
-    });
+    let (pi, pid) = rayon::join(|| frontier(Structure::Pi), || frontier(Structure::Pid));
     let section = Section::new("Load rejection against robustness")
         .with_paragraph(
             "Every recommended rule for the plain integrator (K = 1, d = 1 s) that rejects a constant load and whose \
@@ -54,16 +51,16 @@ fn plane_section(atlas: &Atlas) -> Result<Section, ReportError> {
         .with_figure(plane(atlas, &pi, &pid)?)
         .with_paragraph(
             "The frontiers are the least load IAE of any PI and of any ideal PID controller (derivative unfiltered) \
-             at a sensitivity peak, found by a fine search, not proven. 0.5 is the bound that no controller beats. \
+             at a sensitivity peak, found by a search from many starts, not proven. 0.5 is the bound that no controller beats. \
              Rules above the range of the picture or right of it are in the tables.",
         );
-    let row = |best: &Best| {
+    let row = |best: &Point| {
         let controller = &best.controller;
         vec![
             controller.structure().to_owned(),
             digits(Some(best.sensitivity_peak)),
-            digits(Some(best.load_iae)),
-            digits(Some(50.0 / best.load_iae)),
+            digits(Some(best.value)),
+            digits(Some(50.0 / best.value)),
             digits(Some(controller.proportional_gain())),
             digits(controller.integral_time()),
             digits(controller.derivative_time()),
@@ -75,7 +72,15 @@ fn plane_section(atlas: &Atlas) -> Result<Section, ReportError> {
     Ok(section.with_table(table))
 }
 
-fn plane(atlas: &Atlas, pi: &[Best], pid: &[Best]) -> Result<Figure, ReportError> {
+/// The best load IAE of a structure for each sensitivity peak, K = 1 and d = 1 s.
+fn frontier(structure: Structure) -> Vec<Point> {
+    let found = Process::integrating(1.0, Seconds(1.0)).ok().and_then(|process| {
+        trade_off(&process, structure, Objective::LoadIae, &Limits::default(), &PEAKS).ok()
+    });
+    found.unwrap_or_default()
+}
+
+fn plane(atlas: &Atlas, pi: &[Point], pid: &[Point]) -> Result<Figure, ReportError> {
     let x = Axis::linear("sensitivity peak M_s [–]").with_range(PEAK_RANGE.0, PEAK_RANGE.1)?;
     let y = Axis::logarithmic("load IAE / (K·d²) [–]").with_range(IAE_RANGE.0, IAE_RANGE.1)?;
     let mut panel = Panel::new(x, y).with_reference(Reference::horizontal(0.5, "no controller below 0.5")?);
@@ -88,7 +93,7 @@ fn plane(atlas: &Atlas, pi: &[Best], pid: &[Best]) -> Result<Figure, ReportError
             _ => &[],
         };
         if !best.is_empty() {
-            let (peaks, iae) = best.iter().map(|best| (best.sensitivity_peak, best.load_iae)).unzip();
+            let (peaks, iae) = best.iter().map(|best| (best.sensitivity_peak, best.value)).unzip();
             let labels: Vec<String> = best.iter().map(|best| frontier_label(structure, best)).collect();
             let curve = Series::new(format!("best possible {structure}"), peaks, iae)?;
             let line = if index == 0 { Line::Solid } else { Line::Dashed };
@@ -127,14 +132,14 @@ fn shown(rule: &AtlasRule, structure: &str) -> bool {
         && entry.status == Status::Recommended
 }
 
-fn frontier_label(structure: &str, best: &Best) -> String {
+fn frontier_label(structure: &str, best: &Point) -> String {
     let controller = &best.controller;
     let derivative =
         controller.derivative_time().map_or_else(String::new, |td| format!(", Td/d {}", digits(Some(td))));
     format!(
         "best possible {structure} at M_s {}: load IAE {}, K·Kc·d {}, Ti/d {}{derivative}",
         best.sensitivity_peak,
-        digits(Some(best.load_iae)),
+        digits(Some(best.value)),
         digits(Some(controller.proportional_gain())),
         digits(controller.integral_time())
     )

@@ -138,6 +138,11 @@ impl Design {
         Self { process: *process, structure, variables: structure.variables(filtered), time, gain }
     }
 
+    /// How much more gain than 1/(K·d) a loop bears whose lag is part of the unit of time.
+    pub(super) fn headroom(&self) -> f64 {
+        (self.time / self.process.dead_time()).powi(i32::from(self.process.integrators()))
+    }
+
     /// The controller of these parts (each from 0 to 1, in the order of the variables) and of this gain in units of
     /// 1/(K·d).
     pub(super) fn controller(&self, parts: &[f64], gain: f64) -> Result<Controller, ModelError> {

@@ -1,17 +1,26 @@
 //! The best proportional gain for given times and ratios.
 
 use super::design::Design;
-use super::limits::{Limits, Quantity};
-use super::objective::{Objective, integrals};
+use super::limits::Limits;
+use super::objective::{Objective, Transients};
 use crate::analysis::frequency::margins;
-use crate::analysis::infinite_horizon::Input;
 use crate::model::{ClosedLoop, Controller};
+use crate::tuning::line::{Place, boundary, least};
 
 /// The gains that are tried first, in units of 1/(K·d): from the greatest that any loop of these structures bears down to
 /// one that is hardly control, a ratio apart.
 const GREATEST: f64 = 2.0;
 const LEAST: f64 = 2e-3;
 const RATIO: f64 = 0.6;
+/// How far about the gain of a neighbour that of this design is looked for, and how often farther.
+const NEAR: f64 = 1.01;
+const FARTHER: u32 = 6;
+/// How far about a minimum of a neighbour that of this design is looked for.
+const ASIDE: f64 = 1.03;
+/// Limits exceeded by more, relative, are too far away for the value to matter.
+const FAR_OUTSIDE: f64 = 0.1;
+/// A step down from the greatest gain that tells whether the value falls up to there.
+const BELOW: f64 = 1.0 - 1e-4;
 
 /// How closely the best gain is found: relative widths of the end of an interval of gains, and of a minimum inside, where
 /// the value is flat, so that the square of the width remains.
@@ -21,16 +30,69 @@ pub(super) struct Precision {
     inside: f64,
 }
 
-/// While the times are searched.
-pub(super) const SEARCHING: Precision = Precision { end: 1e-9, inside: 3e-4 };
-/// For the optimum.
+/// While the whole space is swept, while the times are searched, and for the optimum.
+pub(super) const SWEEPING: Precision = Precision { end: 1e-4, inside: 1e-2 };
+pub(super) const SEARCHING: Precision = Precision { end: 1e-10, inside: 1e-5 };
 pub(super) const POLISHED: Precision = Precision { end: 1e-12, inside: 1e-6 };
 
 /// A controller and its value.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Candidate {
     pub(super) controller: Controller,
+    /// In units of 1/(K·d).
+    pub(super) gain: f64,
+    /// The value of the objective.
     pub(super) value: f64,
+    /// By how much limits are exceeded, relative.
+    pub(super) excess: f64,
+    /// Whether the gain is the greatest that the limits allow.
+    pub(super) at_end: bool,
+}
+
+/// What an exceeded limit costs: much more than it may buy.
+const PENALTY: f64 = 300.0;
+/// An integral that exceeds its limit by less is at it.
+pub(super) const KEPT: f64 = 1e-9;
+
+impl Candidate {
+    /// What is made small: the value, and the excess many times over.
+    pub(super) fn merit(&self) -> f64 {
+        self.value + PENALTY * self.excess * self.value.abs()
+    }
+
+    /// Whether every limit is kept.
+    pub(super) fn keeps(&self) -> bool {
+        self.excess <= KEPT
+    }
+}
+
+/// Merits from here on say that no gain keeps the limits on margins; the more, the farther.
+pub(super) const OUTSIDE: f64 = 1e200;
+
+/// What is known of a design.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Best {
+    /// The best of the gains that keep the limits on margins.
+    Of(Candidate),
+    /// None keeps them; how little they are exceeded.
+    None(f64),
+}
+
+impl Best {
+    pub(super) fn merit(&self) -> f64 {
+        match self {
+            Self::Of(candidate) => candidate.merit(),
+            Self::None(slack) if slack.is_finite() => OUTSIDE * (1.0 - slack),
+            Self::None(_) => f64::INFINITY,
+        }
+    }
+
+    pub(super) fn candidate(self) -> Option<Candidate> {
+        match self {
+            Self::Of(candidate) => Some(candidate),
+            Self::None(_) => None,
+        }
+    }
 }
 
 pub(super) struct Gains<'a> {
@@ -38,106 +100,224 @@ pub(super) struct Gains<'a> {
     pub(super) limits: &'a Limits,
     pub(super) objective: Objective,
     pub(super) precision: Precision,
+    /// Whether next to a neighbour whose best gain is the greatest one a lesser gain may be better.
+    pub(super) looks_below: bool,
 }
 
-impl Gains<'_> {
-    /// The best controller of these parts; `None` where no gain keeps the limits.
-    pub(super) fn best(&self, parts: &[f64]) -> Option<Candidate> {
-        let mut gains = vec![GREATEST];
+impl<'a> Gains<'a> {
+    pub(super) fn new(
+        design: &'a Design,
+        objective: Objective,
+        limits: &'a Limits,
+        precision: Precision,
+    ) -> Self {
+        // A load is rejected the better the more gain there is; only the last search makes sure of it.
+        let looks_below =
+            !matches!(objective, Objective::LoadIae | Objective::LoadIse) || precision.end < 1e-11;
+        Self { design, limits, objective, precision, looks_below }
+    }
+
+    /// The best controller of these parts.
+    pub(super) fn best(&self, parts: &[f64]) -> Best {
+        let mut gains = vec![GREATEST * self.design.headroom()];
         while gains[gains.len() - 1] > LEAST {
             gains.push(gains[gains.len() - 1] * RATIO);
         }
-        let keeps: Vec<bool> = gains.iter().map(|&gain| self.keeps(parts, gain)).collect();
+        let mut places: Vec<Place> = gains.iter().map(|&gain| (gain, self.slack(parts, gain))).collect();
+        if places.iter().all(|place| place.1 < 0.0) {
+            // The gains that keep the limits may lie between two of the row.
+            let finite = (0..places.len()).filter(|&index| places[index].1.is_finite());
+            let Some(top) = finite.max_by(|&a, &b| places[a].1.total_cmp(&places[b].1)) else {
+                return Best::None(f64::NEG_INFINITY);
+            };
+            let (low, high) = (places[(top + 1).min(places.len() - 1)].0, places[top.saturating_sub(1)].0);
+            let found = self.least_exceeded(parts, low, high, places[top]);
+            if found.1 < 0.0 {
+                return self.outside(parts, found);
+            }
+            let at = places.partition_point(|place| place.0 > found.0);
+            places.insert(at, found);
+        }
         let mut best: Option<Candidate> = None;
         let mut index = 0;
-        while index < gains.len() {
-            if !keeps[index] {
+        while index < places.len() {
+            if places[index].1 < 0.0 {
                 index += 1;
                 continue;
             }
-            let last =
-                keeps[index..].iter().position(|keep| !keep).map_or(gains.len(), |length| index + length) - 1;
-            let high = if index == 0 { gains[0] } else { self.end(parts, gains[index], gains[index - 1]) };
-            let low =
-                || gains.get(last + 1).map_or(gains[last], |&outside| self.end(parts, gains[last], outside));
+            let rest = &places[index..];
+            let last = rest.iter().position(|place| place.1 < 0.0).map_or(places.len(), |n| index + n) - 1;
+            let high =
+                if index == 0 { places[0].0 } else { self.end(parts, places[index], places[index - 1]) };
+            let low = || match places.get(last + 1) {
+                Some(&outside) => self.end(parts, places[last], outside),
+                None => places[last].0,
+            };
             let found = self.inside(parts, &low, high);
-            if let Some(found) = found.filter(|found| best.is_none_or(|best| found.value < best.value)) {
+            if let Some(found) = found.filter(|found| best.is_none_or(|best| found.merit() < best.merit())) {
                 best = Some(found);
             }
             index = last + 1;
         }
+        best.map_or(Best::None(f64::NEG_INFINITY), Best::Of)
+    }
+
+    /// The same next to a design whose best is known, where that helps: a fraction of the work.
+    pub(super) fn best_near(&self, parts: &[f64], known: Option<Candidate>) -> Best {
+        let Some(known) = known else { return self.best(parts) };
+        let found = if known.at_end { self.end_near(parts, known) } else { self.minimum_near(parts, known) };
+        found.unwrap_or_else(|| self.best(parts))
+    }
+
+    /// The greatest gain that the limits allow, next to that of a neighbour.
+    fn end_near(&self, parts: &[f64], known: Candidate) -> Option<Best> {
+        let mut here = (known.gain, self.slack(parts, known.gain));
+        let mut factor = NEAR;
+        let mut before: Option<Place> = None;
+        for _ in 0..FARTHER {
+            let up = here.1 >= 0.0;
+            let next = if up { here.0 * factor } else { here.0 / factor };
+            let there = (next, self.slack(parts, next));
+            if up != (there.1 >= 0.0) {
+                let (inside, outside) = if up { (here, there) } else { (there, here) };
+                let end = self.candidate(parts, self.end(parts, inside, outside))?;
+                let rises = self.looks_below && {
+                    let below = self.candidate(parts, end.gain * BELOW);
+                    below.is_none_or(|below| below.merit() < end.merit())
+                };
+                return (end.keeps() && !rises).then_some(Best::Of(Candidate { at_end: true, ..end }));
+            }
+            if !up && here.1 > there.1 {
+                // Less gain exceeds the limits more: none keeps them.
+                let high = before.map_or(here.0 * factor, |before| before.0);
+                let found = self.least_exceeded(parts, there.0, high, here);
+                return (found.1 < 0.0).then(|| self.outside(parts, found));
+            }
+            (before, here) = (Some(here), there);
+            factor *= factor;
+        }
+        None
+    }
+
+    /// A minimum inside of the interval, next to that of a neighbour.
+    fn minimum_near(&self, parts: &[f64], known: Candidate) -> Option<Best> {
+        let (low, high) = (known.gain / ASIDE, known.gain * ASIDE);
+        if self.slack(parts, low) < 0.0
+            || self.slack(parts, high) < 0.0
+            || !known.keeps()
+            || known.excess > 0.0
+        {
+            return None;
+        }
+        let mut best: Option<Candidate> = None;
+        least(low, high, self.precision.inside, &mut |gain| {
+            let found = self.candidate(parts, gain);
+            if found.is_some_and(|found| best.is_none_or(|best| found.merit() < best.merit())) {
+                best = found;
+            }
+            found.map_or(f64::INFINITY, |found| found.merit())
+        });
+        let within = |found: &Candidate| {
+            let margin = 4.0 * self.precision.inside * known.gain;
+            found.excess == 0.0 && found.gain > low + margin && found.gain < high - margin
+        };
+        best.filter(within).map(Best::Of)
+    }
+
+    /// By how much a gain keeps every limit on margins, relative: −∞ where the loop is not stable.
+    fn slack(&self, parts: &[f64], gain: f64) -> f64 {
+        let Ok(controller) = self.design.controller(parts, gain) else { return f64::NEG_INFINITY };
+        margins(&ClosedLoop::new(&self.design.process, &controller))
+            .map_or(f64::NEG_INFINITY, |achieved| self.limits.slack(&controller, &achieved))
+    }
+
+    /// The gain from `low` to `high` at which the limits are exceeded least, or one that keeps them.
+    fn least_exceeded(&self, parts: &[f64], low: f64, high: f64, known: Place) -> Place {
+        let mut best = known;
+        least(low, high, 0.1 * self.precision.end.max(1e-9), &mut |gain| {
+            // One that keeps them is enough.
+            if best.1 >= 0.0 {
+                return (gain - best.0).abs();
+            }
+            let here = self.slack(parts, gain);
+            if here > best.1 {
+                best = (gain, here);
+            }
+            -here
+        });
         best
     }
 
-    fn keeps(&self, parts: &[f64], gain: f64) -> bool {
-        let Ok(controller) = self.design.controller(parts, gain) else { return false };
-        margins(&ClosedLoop::new(&self.design.process, &controller))
-            .is_ok_and(|achieved| self.limits.keep(&controller, &achieved))
-    }
-
-    /// The gain between one that keeps the limits and one that does not, on the side that does.
-    fn end(&self, parts: &[f64], mut inside: f64, mut outside: f64) -> f64 {
-        while (outside - inside).abs() > self.precision.end * inside {
-            let middle = f64::midpoint(inside, outside);
-            if middle == inside || middle == outside {
-                break;
-            }
-            *(if self.keeps(parts, middle) { &mut inside } else { &mut outside }) = middle;
+    /// What a design is worth none of whose gains keeps the limits, given the one that exceeds them least.
+    fn outside(&self, parts: &[f64], (gain, slack): Place) -> Best {
+        if slack < -FAR_OUTSIDE {
+            return Best::None(slack);
         }
-        inside
+        match self.candidate(parts, gain) {
+            Some(found) => Best::Of(Candidate { excess: found.excess - slack, ..found }),
+            None => Best::None(slack),
+        }
     }
 
-    /// The best gain of an interval, which is an end or a minimum inside: golden section, the value taken as having one.
+    /// The gain at which the limits are reached, on the side that keeps them.
+    fn end(&self, parts: &[f64], inside: Place, outside: Place) -> f64 {
+        let (end, precision) = (self.precision.end, self.precision.end);
+        boundary(inside, outside, (end, precision), &mut |gain| self.slack(parts, gain))
+    }
+
+    /// The best gain of an interval, which is an end or a minimum inside, the value taken as having one.
     fn inside(&self, parts: &[f64], low: &dyn Fn() -> f64, high: f64) -> Option<Candidate> {
         let at = |gain: f64| self.candidate(parts, gain);
-        let value = |candidate: &Option<Candidate>| candidate.map_or(f64::INFINITY, |found| found.value);
-        let mut best = at(high);
+        let merit = |candidate: &Option<Candidate>| candidate.map_or(f64::INFINITY, |found| found.merit());
+        let top = at(high).map(|found| Candidate { at_end: true, ..found });
         // Most often the value falls up to the greatest gain that is allowed.
-        let falling = at(high * (1.0 - 1e-4));
-        if value(&falling) > value(&best) {
-            return best;
+        let below = at(high * BELOW);
+        if merit(&below) > merit(&top) {
+            return top;
         }
         let low = low();
-        let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
-        let (mut a, mut b) = (low, high);
-        let (mut c, mut d) = (b - golden * (b - a), a + golden * (b - a));
-        let (mut at_c, mut at_d) = (at(c), at(d));
-        while b - a > self.precision.inside * b {
-            if value(&at_c) <= value(&at_d) {
-                (b, d, at_d) = (d, c, at_c);
-                c = b - golden * (b - a);
-                at_c = at(c);
-            } else {
-                (a, c, at_c) = (c, d, at_d);
-                d = a + golden * (b - a);
-                at_d = at(d);
-            }
-        }
-        for candidate in [falling, at_c, at_d, at(low)] {
-            if value(&candidate) < value(&best) {
-                best = candidate;
-            }
-        }
-        best
-    }
-
-    /// The controller and its value; `None` where the value is infinite or an integral exceeds its limit.
-    fn candidate(&self, parts: &[f64], gain: f64) -> Option<Candidate> {
-        let controller = self.design.controller(parts, gain).ok()?;
-        for (quantity, input) in [(Quantity::LoadIae, Input::Load), (Quantity::SetpointIae, Input::Setpoint)]
-        {
-            if let Some(greatest) = self.limits.of(quantity) {
-                let found = integrals(&self.design.process, &controller, input)?.iae?;
-                if found > greatest {
-                    // Outside of the limit the excess alone counts, so that the search finds its way back.
-                    return Some(Candidate { controller, value: OUTSIDE * (found / greatest) });
+        let mut tried: Vec<Candidate> = top.into_iter().chain(below).chain(at(low)).collect();
+        least(low, high, self.precision.inside, &mut |gain| {
+            let found = at(gain);
+            tried.extend(found);
+            merit(&found)
+        });
+        tried.sort_by(|a, b| a.gain.total_cmp(&b.gain));
+        let best = (0..tried.len()).min_by(|&a, &b| tried[a].merit().total_cmp(&tried[b].merit()))?;
+        // Where the limit on an integral ends what may be chosen, the best is where it is reached.
+        let neighbours = [best.checked_sub(1), Some(best + 1)];
+        let mut best = tried[best];
+        for neighbour in neighbours.into_iter().flatten().filter_map(|index| tried.get(index)) {
+            if best.keeps() != neighbour.keeps() {
+                let (kept, other) = if best.keeps() { (best, *neighbour) } else { (*neighbour, best) };
+                let spare = |gain: f64| self.spare(parts, gain);
+                let places = [kept, other].map(|found| (found.gain, spare(found.gain)));
+                let precision = (1e-12, 0.1 * KEPT);
+                let reached = at(boundary(places[0], places[1], precision, &mut |gain| spare(gain)));
+                if let Some(reached) = reached.filter(|found| found.merit() < best.merit()) {
+                    best = reached;
                 }
             }
         }
-        let value = self.objective.value(self.design, &controller)?;
-        value.is_finite().then_some(Candidate { controller, value })
+        Some(best)
+    }
+
+    /// The controller and its value; `None` where the value is infinite.
+    fn candidate(&self, parts: &[f64], gain: f64) -> Option<Candidate> {
+        let controller = self.design.controller(parts, gain).ok()?;
+        let transients = Transients::new(self.design, &controller);
+        let excess = (-self.limits.spare(&transients)?).max(0.0);
+        let value = self.objective.value(self.design, &controller, &transients)?;
+        let found = Candidate { controller, gain, value, excess, at_end: false };
+        value.is_finite().then_some(found)
+    }
+
+    /// By how much a gain keeps every limit on an integral, relative.
+    fn spare(&self, parts: &[f64], gain: f64) -> f64 {
+        let spare = self.design.controller(parts, gain).ok().and_then(|controller| {
+            let transients = Transients::new(self.design, &controller);
+            self.limits.spare(&transients)
+        });
+        spare.unwrap_or(f64::NEG_INFINITY)
     }
 }
-
-/// Values from here on say that an integral exceeds its limit.
-pub(super) const OUTSIDE: f64 = 1e30;

@@ -2,7 +2,9 @@
 
 use std::fmt;
 
+use super::objective::Transients;
 use crate::analysis::frequency::Margins;
+use crate::analysis::infinite_horizon::Input;
 use crate::model::Controller;
 
 /// What is limited.
@@ -128,12 +130,31 @@ impl Limits {
         self.list.iter().find(|limit| limit.quantity == quantity).map(|limit| limit.value)
     }
 
-    /// Whether a loop keeps every limit that costs no simulation.
-    pub(super) fn keep(&self, controller: &Controller, achieved: &Margins) -> bool {
-        achieved.stable
-            && self
-                .list
-                .iter()
-                .all(|limit| limit.quantity.of(controller, achieved).is_none_or(|value| limit.allows(value)))
+    /// By how much a loop keeps every limit that costs no simulation, relative and at most 1; −∞ where it is not stable.
+    pub(super) fn slack(&self, controller: &Controller, achieved: &Margins) -> f64 {
+        if !achieved.stable {
+            return f64::NEG_INFINITY;
+        }
+        let of = |limit: &Limit| {
+            let value = limit.quantity.of(controller, achieved)?;
+            Some(if limit.quantity.is_greatest() {
+                limit.value / value - 1.0
+            } else {
+                value / limit.value - 1.0
+            })
+        };
+        self.list.iter().filter_map(of).fold(1.0, f64::min)
+    }
+
+    /// By how much a loop keeps every limit on an integral, relative and at most 1; `None` where one is infinite.
+    pub(super) fn spare(&self, transients: &Transients<'_>) -> Option<f64> {
+        let mut spare = 1.0_f64;
+        for (quantity, input) in [(Quantity::LoadIae, Input::Load), (Quantity::SetpointIae, Input::Setpoint)]
+        {
+            if let Some(greatest) = self.of(quantity) {
+                spare = spare.min(1.0 - transients.after(input)?.iae? / greatest);
+            }
+        }
+        Some(spare)
     }
 }

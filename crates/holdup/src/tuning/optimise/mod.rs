@@ -2,13 +2,14 @@
 //!
 //! Margins, peaks and integrals are the exact ones of [`crate::analysis`]; the integrals are over all time, with a proven
 //! bound on the part that is left out. The search is nested: for given times and ratios the allowed gains are intervals,
-//! whose ends are found by bisection, and the best gain lies in one of them; about that a simplex search runs from many
-//! starts. That the optimum is global is not proven but shown: [`Optimum`] says how many starts agree and what a sweep
+//! whose ends are exact, and the best gain lies in one of them; about that a search runs from many starts that does not stop
+//! on the kinks where two peaks are equally high. That the optimum is global is not proven but shown: [`Optimum`] says how many starts agree and what a sweep
 //! over the whole space found.
 
 mod design;
 mod gain;
 mod infeasible;
+mod kink;
 pub mod level;
 mod limits;
 mod objective;
@@ -21,4 +22,4 @@ pub use infeasible::Conflict;
 pub use limits::{Limit, Limits, Quantity};
 pub use objective::Objective;
 pub use search::{OptimiseError, Optimum, optimise};
-pub use trade_off::{Point, trade_off};
+pub use trade_off::{Point, trade_off, trade_off_with};

@@ -1,5 +1,7 @@
 //! What is to be as small as possible.
 
+use std::cell::OnceCell;
+
 use super::design::Design;
 use super::limits::{Limits, Quantity};
 use crate::analysis::bounds::Bounds;
@@ -9,6 +11,9 @@ use crate::analysis::infinite_horizon::{InfiniteHorizon, Input, to_infinity_unpr
 use crate::analysis::response::Scenario;
 use crate::model::{ClosedLoop, Controller, Process, Seconds};
 use crate::tuning::robust::largest_family;
+
+/// Times of a loop (dead time and lag) after which a response must be over.
+const LONGEST: f64 = 2e4;
 
 /// What is to be as small as possible.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -90,9 +95,14 @@ impl Objective {
     }
 
     /// The value for a stable loop; absent where it is infinite or out of reach.
-    pub(super) fn value(self, design: &Design, controller: &Controller) -> Option<f64> {
+    pub(super) fn value(
+        self,
+        design: &Design,
+        controller: &Controller,
+        transients: &Transients<'_>,
+    ) -> Option<f64> {
         let process = &design.process;
-        let over = |input: Input| integrals(process, controller, input);
+        let over = |input: Input| transients.after(input);
         match self {
             Self::LoadIae | Self::Extreme(Quantity::LoadIae) => over(Input::Load)?.iae,
             Self::SetpointIae | Self::Extreme(Quantity::SetpointIae) => over(Input::Setpoint)?.iae,
@@ -126,9 +136,31 @@ fn filtered(design: &Design) -> bool {
     design.variables.contains(&super::design::Variable::FilterRatio)
 }
 
-/// Integrals over all time, without the proof of the rest: the optimum gets that at the end.
-pub(super) fn integrals(process: &Process, controller: &Controller, input: Input) -> Option<InfiniteHorizon> {
-    to_infinity_unproven(process, controller, input).ok()
+/// The responses of a loop to unit steps, each followed once, when it is asked for.
+pub(super) struct Transients<'a> {
+    process: &'a Process,
+    controller: &'a Controller,
+    longest: f64,
+    load: OnceCell<Option<InfiniteHorizon>>,
+    setpoint: OnceCell<Option<InfiniteHorizon>>,
+}
+
+impl<'a> Transients<'a> {
+    pub(super) fn new(design: &'a Design, controller: &'a Controller) -> Self {
+        let (load, setpoint) = (OnceCell::new(), OnceCell::new());
+        Self { process: &design.process, controller, longest: LONGEST * design.time, load, setpoint }
+    }
+
+    /// Integrals over all time, without the proof of the rest: the optimum gets that at the end. `None` where they are out of
+    /// reach or the loop swings for so long that they are no candidate.
+    pub(super) fn after(&self, input: Input) -> Option<&InfiniteHorizon> {
+        let cell = match input {
+            Input::Load => &self.load,
+            Input::Setpoint => &self.setpoint,
+        };
+        cell.get_or_init(|| to_infinity_unproven(self.process, self.controller, input, self.longest).ok())
+            .as_ref()
+    }
 }
 
 /// The least IAE that any controller has after a unit step.

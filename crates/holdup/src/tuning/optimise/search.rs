@@ -1,12 +1,10 @@
 //! The search over times and ratios, from many starts, and a sweep that looks for something better.
 
-use std::sync::atomic::{AtomicUsize, Ordering};
-
 use rayon::prelude::*;
 use thiserror::Error;
 
 use super::design::{Design, Structure};
-use super::gain::{Candidate, Gains, OUTSIDE, POLISHED, SEARCHING};
+use super::gain::{Candidate, Gains, OUTSIDE, POLISHED, SEARCHING, SWEEPING};
 use super::infeasible::{Conflict, conflict};
 use super::limits::{Limits, Quantity};
 use super::objective::Objective;
@@ -15,14 +13,20 @@ use crate::analysis::frequency::{FrequencyError, Margins, margins};
 use crate::analysis::infinite_horizon::{InfiniteHorizon, Input, to_infinity};
 use crate::model::{ClosedLoop, Controller, Process};
 
-/// Starts for each variable, and one more.
+/// Starts, and one more for each variable.
 const STARTS: usize = 2;
-/// Points of the sweep for each variable, as a power.
-const SWEEP: usize = 10;
-const SWEEP_MOST: usize = 120;
-/// Size of the simplex at which a search ends, and at which the polishing of the best does.
-const SEARCHED: f64 = 1e-5;
-const FINEST: f64 = 1e-9;
+/// Points of the sweep over the whole space, for one variable and for more.
+const SWEEP_OF_ONE: usize = 40;
+const SWEEP: usize = 160;
+/// Points of the sweep about the optimum for each variable, and the widths of the cubes that they fill.
+const ABOUT: usize = 15;
+const WIDTHS: [f64; 2] = [0.2, 0.02];
+/// Sizes of the simplex: of a search, at its end, and of the polishing of the best, first and where that goes on.
+const FIRST: f64 = 0.12;
+pub(super) const SEARCHED: f64 = 1e-5;
+const LAST: f64 = 1e-3;
+const AGAIN: f64 = 0.03;
+const FINEST: f64 = 1e-8;
 /// Relative difference up to which two starts have found the same.
 const AGREE: f64 = 1e-5;
 
@@ -118,43 +122,113 @@ pub(super) struct Found {
     least_swept: Option<f64>,
 }
 
-/// Sweeps, searches from the best points of the sweep, and from others.
+/// Sweeps, searches from the best points of the sweep and from others, and sweeps once more about what was found.
 pub(super) fn find(design: &Design, objective: Objective, limits: &Limits) -> Option<Found> {
-    let gains = Gains { design, limits, objective, precision: SEARCHING };
     let count = design.variables.len();
-    let swept = AtomicUsize::new(0);
-    let value = |parts: &[f64]| gains.best(parts).map_or(f64::INFINITY, |found| found.value);
-    let points = if count == 0 {
-        vec![Vec::new()]
-    } else {
-        lattice(count, SWEEP.pow(u32::try_from(count).unwrap_or(9)).min(SWEEP_MOST))
+    let with = |precision| Gains::new(design, objective, limits, precision);
+    let (sweeping, searching, polish) = (with(SWEEPING), with(SEARCHING), with(POLISHED));
+    let points = match count {
+        0 => vec![Vec::new()],
+        1 => lattice(1, SWEEP_OF_ONE),
+        _ => lattice(count, SWEEP),
     };
-    let mut sweep: Vec<(Vec<f64>, f64)> = points
+    let mut sweep = swept(&sweeping, points);
+    let ends: Vec<End> = starts(&sweep, STARTS + count)
         .into_par_iter()
-        .map(|parts| {
-            swept.fetch_add(1, Ordering::Relaxed);
-            let at = value(&parts);
-            (parts, at)
-        })
+        .map(|start| search_from(&searching, &start, FIRST, SEARCHED))
         .collect();
-    sweep.sort_by(|a, b| a.1.total_cmp(&b.1));
-    let least_swept = sweep.first().map(|point| point.1).filter(|value| *value < OUTSIDE);
-    let ends: Vec<(Vec<f64>, f64)> = if count == 0 {
-        sweep
-    } else {
-        starts(&sweep, STARTS * count + 1)
-            .into_par_iter()
-            .map(|start| minimise(&start, 0.12, SEARCHED, &value))
-            .collect()
+    let kept: Vec<&End> = ends.iter().filter(|end| end.best.is_some()).collect();
+    // Where none keeps the limits, the search goes on from the one that comes nearest.
+    let mut end =
+        (*kept.iter().copied().chain(&ends).min_by(|a, b| a.value().total_cmp(&b.value()))?).clone();
+    // What is found about the optimum is better only where the search ended too early: then it goes on from there.
+    for size in [LAST, AGAIN, AGAIN] {
+        let next = search_from(&polish, &end.parts, size, FINEST);
+        if next.value() < end.value() {
+            end = next;
+        }
+        let about = swept(&sweeping, about(&end.parts));
+        let better = about.first().filter(|point| point.1 < end.value() - AGREE * end.value().abs()).cloned();
+        sweep.extend(about);
+        match better {
+            Some(point) => end = End { parts: point.0, best: None, merit: point.1 },
+            None => break,
+        }
+    }
+    let best = end.best?;
+    let least = best.value + AGREE * best.value.abs();
+    let agreeing = kept.iter().filter(|end| end.value() <= least).count();
+    let least_swept = sweep.iter().map(|point| point.1).min_by(f64::total_cmp);
+    Some(Found {
+        best,
+        parts: end.parts,
+        starts: kept.len(),
+        agreeing,
+        swept: sweep.len(),
+        least_swept: least_swept.filter(|value| *value < OUTSIDE),
+    })
+}
+
+/// Where a search ended.
+#[derive(Debug, Clone)]
+pub(super) struct End {
+    pub(super) parts: Vec<f64>,
+    /// The best that keeps every limit.
+    pub(super) best: Option<Candidate>,
+    /// What it is worth, or the least merit met where none keeps them.
+    merit: f64,
+}
+
+impl End {
+    fn value(&self) -> f64 {
+        self.best.map_or(self.merit, |best| best.value)
+    }
+}
+
+/// The local search; each design starts from the gain of the one before it. The least merit may lie a rounding outside of the
+/// limits: what counts is the best that keeps them.
+pub(super) fn search_from(gains: &Gains<'_>, start: &[f64], size: f64, finest: f64) -> End {
+    let mut known: Option<Candidate> = None;
+    let mut kept: Option<(Vec<f64>, Candidate)> = None;
+    let mut value = |parts: &[f64]| {
+        let found = gains.best_near(parts, known);
+        known = found.candidate().or(known);
+        let better = |found: &Candidate| {
+            found.keeps() && kept.as_ref().is_none_or(|(_, kept)| found.value < kept.value)
+        };
+        if let Some(found) = found.candidate().filter(better) {
+            kept = Some((parts.to_vec(), found));
+        }
+        found.merit()
     };
-    let finite: Vec<&(Vec<f64>, f64)> = ends.iter().filter(|end| end.1 < OUTSIDE).collect();
-    let (parts, least) = finite.iter().min_by(|a, b| a.1.total_cmp(&b.1)).copied()?.clone();
-    let agreeing = finite.iter().filter(|end| end.1 - least <= AGREE * least.abs()).count();
-    let gains = Gains { precision: POLISHED, ..gains };
-    let value = |parts: &[f64]| gains.best(parts).map_or(f64::INFINITY, |found| found.value);
-    let parts = if count == 0 { parts } else { minimise(&parts, 1e-3, FINEST, &value).0 };
-    let best = gains.best(&parts)?;
-    Some(Found { best, parts, starts: finite.len(), agreeing, swept: swept.into_inner(), least_swept })
+    let (parts, merit) =
+        if start.is_empty() { (Vec::new(), value(start)) } else { minimise(start, size, finest, &mut value) };
+    match kept {
+        Some((parts, best)) => End { parts, best: Some(best), merit },
+        None => End { parts, best: None, merit },
+    }
+}
+
+/// These points with their merit, the best first.
+fn swept(gains: &Gains<'_>, points: Vec<Vec<f64>>) -> Vec<(Vec<f64>, f64)> {
+    let at = |parts: Vec<f64>| {
+        let merit = gains.best(&parts).merit();
+        (parts, merit)
+    };
+    let mut sweep: Vec<(Vec<f64>, f64)> = points.into_par_iter().map(at).collect();
+    sweep.sort_by(|a, b| a.1.total_cmp(&b.1));
+    sweep
+}
+
+/// Points about the optimum, near and nearer.
+fn about(parts: &[f64]) -> Vec<Vec<f64>> {
+    let count = parts.len();
+    let points = if count == 0 { Vec::new() } else { lattice(count, ABOUT * count) };
+    let near = |width: f64| {
+        let moved = move |(x, part): (&f64, &f64)| (x + width * (part - 0.5)).clamp(0.0, 1.0);
+        points.iter().map(move |point| parts.iter().zip(point).map(moved).collect())
+    };
+    WIDTHS.into_iter().flat_map(near).collect()
 }
 
 /// The best points of the sweep, of which half are far from the very best.

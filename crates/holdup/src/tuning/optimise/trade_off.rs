@@ -1,12 +1,14 @@
 //! The frontier: the best value of the objective for every sensitivity peak.
 
 use super::design::{Design, Structure};
-use super::gain::{Candidate, Gains, OUTSIDE, POLISHED};
+use super::gain::{Gains, SEARCHING};
 use super::limits::{Limits, Quantity};
 use super::objective::Objective;
-use super::search::{OptimiseError, find};
-use super::simplex::minimise;
+use super::search::{OptimiseError, SEARCHED, find, search_from};
 use crate::model::{Controller, Process};
+
+/// Size of the simplex that follows the optimum from peak to peak.
+const NEAR: f64 = 0.03;
 
 /// One point of the frontier.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -24,6 +26,16 @@ pub struct Point {
 ///
 /// Each point is searched from the one before; the first, the middle and the last also from scratch.
 ///
+/// ```
+/// use holdup::model::{Process, Seconds};
+/// use holdup::tuning::optimise::{Limits, Objective, Structure, trade_off};
+/// let process = Process::integrating(1.0, Seconds(1.0))?;
+/// let best = trade_off(&process, Structure::Pi, Objective::LoadIae, &Limits::default(), &[1.5, 1.7])?;
+/// // SIMC has 16 at 1.70; more sensitivity buys load rejection.
+/// assert!(best[1].value < 16.0 && best[0].value > best[1].value);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Errors
 /// [`OptimiseError::Degenerate`] where the objective has no optimum.
 pub fn trade_off(
@@ -33,6 +45,21 @@ pub fn trade_off(
     limits: &Limits,
     peaks: &[f64],
 ) -> Result<Vec<Point>, OptimiseError> {
+    trade_off_with(process, structure, objective, limits, peaks, &mut || {})
+}
+
+/// The same; `each` is called after each peak.
+///
+/// # Errors
+/// As [`trade_off`].
+pub fn trade_off_with(
+    process: &Process,
+    structure: Structure,
+    objective: Objective,
+    limits: &Limits,
+    peaks: &[f64],
+    each: &mut dyn FnMut(),
+) -> Result<Vec<Point>, OptimiseError> {
     let design = Design::new(process, structure, limits.of(Quantity::NoiseGain).is_some());
     if let Some(reason) = objective.degenerate(&design, limits) {
         return Err(OptimiseError::Degenerate(reason));
@@ -41,23 +68,17 @@ pub fn trade_off(
     let mut parts: Option<Vec<f64>> = None;
     for (index, &peak) in peaks.iter().enumerate() {
         let limits = limits.clone().with(Quantity::SensitivityPeak, peak);
-        let gains = Gains { design: &design, limits: &limits, objective, precision: POLISHED };
-        let value = |parts: &[f64]| gains.best(parts).map_or(f64::INFINITY, |found| found.value);
-        let mut best: Option<(Vec<f64>, Candidate)> = None;
-        if let Some(start) = &parts {
-            let (end, _) = minimise(start, 0.03, 1e-6, &value);
-            best = gains.best(&end).map(|candidate| (end, candidate));
-        }
-        let from_scratch = best.is_none() || index == peaks.len() / 2 || index + 1 == peaks.len();
+        let gains = Gains::new(&design, objective, &limits, SEARCHING);
+        let from_last = parts.as_ref().and_then(|start| {
+            let end = search_from(&gains, start, NEAR, SEARCHED);
+            Some((end.parts, end.best?))
+        });
+        let from_scratch = from_last.is_none() || index == peaks.len() / 2 || index + 1 == peaks.len();
         let found = if from_scratch { find(&design, objective, &limits) } else { None };
-        if let Some(found) = found
-            && best.as_ref().is_none_or(|(_, known)| found.best.value < known.value)
-        {
-            best = Some((found.parts, found.best));
-        }
-        let Some((end, candidate)) = best.filter(|(_, candidate)| candidate.value < OUTSIDE) else {
-            continue;
-        };
+        let found = found.map(|found| (found.parts, found.best));
+        let best = from_last.into_iter().chain(found).min_by(|a, b| a.1.value.total_cmp(&b.1.value));
+        each();
+        let Some((end, candidate)) = best else { continue };
         points.push(Point {
             sensitivity_peak: peak,
             value: candidate.value,

@@ -3,11 +3,14 @@
 use crate::analysis::frequency::FrequencyError;
 use crate::analysis::frequency::family::{Family, Goal, worst_case};
 use crate::model::{Controller, Process};
+use crate::tuning::line::boundary;
 
 /// Relative width at which the bisection ends.
 const FINEST: f64 = 1e-6;
 /// Sizes beyond this are not looked for: the family is then said to be unlimited.
 const GREATEST: f64 = 1e3;
+/// A sensitivity peak so many times that allowed says no more than that it is exceeded.
+const FAR: f64 = 3.0;
 /// A family whose least factor is below this is limited by zero.
 const NEAR_ZERO: f64 = 1e-3;
 
@@ -52,22 +55,32 @@ pub fn largest_family(
     if !keeps(&nominal)? {
         return Ok(None);
     }
-    let (mut low, mut family) = (0.0, nominal);
-    let mut high = 1.0;
+    // By how much the worst member keeps the peak; sizes that are no family, or far too large, are outside.
+    let slack = |size: f64| -> f64 {
+        let peak = shape.scaled(size).ok().and_then(|family| {
+            let at_most = Goal::AtMost(FAR * sensitivity_peak);
+            let near = worst_case(process, controller, &family, at_most).is_ok_and(|found| found.stable);
+            let worst = || worst_case(process, controller, &family, Goal::Worst).ok()?.sensitivity_peak;
+            near.then(worst).flatten()
+        });
+        peak.map_or(f64::NEG_INFINITY, |peak| sensitivity_peak / peak - 1.0)
+    };
     // First a size that is too large, doubling; then the limit between it and the last that is allowed.
-    while let Ok(larger) = shape.scaled(high) {
-        if high > GREATEST || !keeps(&larger)? {
-            break;
+    let (mut inside, mut size) = ((0.0, slack(0.0)), 1.0);
+    let outside = loop {
+        let here = (size, slack(size));
+        if here.1 < 0.0 || size > GREATEST {
+            break here;
         }
-        (low, family) = (high, larger);
-        high *= 2.0;
-    }
-    while high - low > FINEST * high {
-        let middle = f64::midpoint(low, high);
-        match shape.scaled(middle) {
-            Ok(larger) if keeps(&larger)? => (low, family) = (middle, larger),
-            _ => high = middle,
-        }
+        (inside, size) = (here, 2.0 * size);
+    };
+    let low = match outside.1 < 0.0 {
+        true => boundary(inside, outside, (FINEST, 0.1 * FINEST), &mut |size| slack(size)),
+        false => inside.0,
+    };
+    let Ok(family) = shape.scaled(low) else { return Ok(None) };
+    if !keeps(&family)? {
+        return Ok(None);
     }
     let limited_by_zero = family.gain()[0].min(family.dead_time()[0]) < NEAR_ZERO;
     Ok(Some(Largest { size: low, family, limited_by_zero }))

@@ -9,6 +9,7 @@
 //! stable by the argument principle, and no member of the connected family has a pole on the imaginary axis. For neutral
 //! loops that needs k·|L(j∞)| < 1 for the greatest k.
 
+mod faces;
 mod search;
 mod sector;
 mod shape;

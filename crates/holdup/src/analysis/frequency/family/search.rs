@@ -1,5 +1,6 @@
 //! Branch and bound over the frequency, and over the dead time where the family is an ellipse.
 
+use super::faces::Faces;
 use super::sector::Sector;
 use super::shape::Family;
 use crate::analysis::frequency::characteristic::Characteristic;
@@ -236,6 +237,20 @@ impl<'a> Search<'a> {
         let spare = at_middle - wanted * (d_size + rounding) - rounding;
         let moved = (1.0 + wanted) * d_drift + gain[1] * (n_drift + half * delay(high).abs() * n_size);
         if spare >= moved {
+            return Fate::Discarded;
+        }
+        // Next to the worst frequency the distance is flat: to second order the band may be wider. The members between
+        // the two dead times are farther away than one of these as long as none points at −1.
+        let faces = Faces {
+            omega,
+            half,
+            numerator: &n,
+            denominator: &d,
+            numerator_bounds: &n_bound,
+            denominator_bounds: &d_bound,
+        };
+        let towards = nearest.towards;
+        if spare > 0.0 && faces.keep(gain, [delay(low), delay(high)], wanted, towards) {
             return Fate::Discarded;
         }
         // An ellipse is split where the box about its part, and not the width of the band, is what spoils the proof.

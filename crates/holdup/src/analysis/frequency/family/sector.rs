@@ -17,6 +17,8 @@ pub(super) struct Nearest {
     pub(super) distance: f64,
     pub(super) radius: f64,
     pub(super) angle: f64,
+    /// Whether a point of the sector has the angle of −1.
+    pub(super) towards: bool,
 }
 
 impl Sector {
@@ -35,13 +37,13 @@ impl Sector {
             low
         };
         let psi = if towards <= high { 0.0 } else { angle - PI };
-        self.at(angle, psi)
+        self.at(angle, psi, towards <= high)
     }
 
-    fn at(&self, angle: f64, psi: f64) -> Nearest {
+    fn at(&self, angle: f64, psi: f64, towards: bool) -> Nearest {
         let (sin, cos) = psi.sin_cos();
         let radius = cos.max(self.radius[0]).min(self.radius[1]);
-        Nearest { distance: (radius - cos).hypot(sin), radius, angle }
+        Nearest { distance: (radius - cos).hypot(sin), radius, angle, towards }
     }
 }
 
