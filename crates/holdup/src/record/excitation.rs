@@ -14,6 +14,9 @@ use super::identify::{Basis, Joint, Problem, dot};
 use super::replay::{Drive, Law, run};
 use super::{Operation, Record};
 
+/// Beyond this a loop that runs away is no longer followed: squares of its signals must stay numbers.
+const LARGEST: f64 = 1e100;
+
 /// What moved the loop from outside.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Excitation {
@@ -96,7 +99,8 @@ pub(crate) fn outside(
     joint: &Joint,
     controller: &RunningController,
 ) -> Outside {
-    let law = Law::of(controller);
+    let nothing_known = Outside { relative_deviation: f64::INFINITY, disagreement: 0.0, excess: [1.0; 2] };
+    let Ok(law) = Law::recovered(controller) else { return nothing_known };
     let (time, input) = (record.time(), record.manipulated_variable());
     let rows = record.len();
     let setpoint: Vec<f64> =
@@ -107,12 +111,10 @@ pub(crate) fn outside(
     let by_hand: Vec<Option<f64>> =
         (0..rows).map(|k| (k > 0 && hand(k)).then(|| input[k] - input[k - 1])).collect();
     let nothing = vec![0.0; rows];
-    let limits = [f64::NEG_INFINITY, f64::INFINITY];
-    let drive =
-        Drive { setpoint: &setpoint, by_hand: &by_hand, load: &nothing, disturbance: &nothing, limits };
-    let (_, moved) = run(&law, joint.fit, time, &drive);
-    if moved.iter().any(|value| !value.is_finite()) {
-        return Outside { relative_deviation: f64::INFINITY, disagreement: 0.0, excess: [1.0; 2] };
+    let drive = Drive { setpoint: &setpoint, by_hand: &by_hand, load: &nothing, disturbance: &nothing };
+    let Ok((_, moved)) = run(&law, joint.fit, time, &drive) else { return nothing_known };
+    if moved.iter().any(|value| value.abs() > LARGEST) {
+        return nothing_known;
     }
     // Gain and dead time by the columns that the movement from outside makes.
     let fit = &joint.fit;
@@ -156,17 +158,5 @@ pub(crate) fn outside(
         relative_deviation: if deviation.is_finite() { deviation / fit.gain.abs() } else { f64::INFINITY },
         disagreement: if disagreement.is_finite() { disagreement } else { 0.0 },
         excess,
-    }
-}
-
-impl Law {
-    /// The recovered controller.
-    pub(crate) fn of(controller: &RunningController) -> Self {
-        Self {
-            proportional_gain: controller.proportional_gain.value,
-            integral_time: controller.integral_time.map(|time| time.value),
-            derivative_time: controller.derivative_time.map_or(0.0, |time| time.value),
-            setpoint_weight: controller.setpoint_weight.unwrap_or(1.0),
-        }
     }
 }
