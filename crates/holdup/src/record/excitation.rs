@@ -10,7 +10,7 @@
 use serde::Serialize;
 
 use super::controller::{RunningController, limited};
-use super::identify::{Basis, Joint, Problem, dot};
+use super::identify::{Basis, Fit, Joint, Problem, dot};
 use super::replay::{Drive, Law, run};
 use super::{Operation, Record};
 
@@ -92,15 +92,14 @@ pub(crate) struct Outside {
     pub(crate) excess: [f64; 2],
 }
 
-/// What the movement from outside says about the fit; the loop is run with the recovered controller.
-pub(crate) fn outside(
+/// Controlled and manipulated variable as setpoint, hand and limits alone would have moved them, as deviations: the loop is
+/// run with the recovered controller. `None` where that runs away.
+pub(crate) fn moved_from_outside(
     record: &Record,
-    problem: &Problem<'_>,
-    joint: &Joint,
+    fit: Fit,
     controller: &RunningController,
-) -> Outside {
-    let nothing_known = Outside { relative_deviation: f64::INFINITY, disagreement: 0.0, excess: [1.0; 2] };
-    let Ok(law) = Law::recovered(controller) else { return nothing_known };
+) -> Option<(Vec<f64>, Vec<f64>)> {
+    let law = Law::recovered(controller).ok()?;
     let (time, input) = (record.time(), record.manipulated_variable());
     let rows = record.len();
     let setpoint: Vec<f64> =
@@ -112,10 +111,20 @@ pub(crate) fn outside(
         (0..rows).map(|k| (k > 0 && hand(k)).then(|| input[k] - input[k - 1])).collect();
     let nothing = vec![0.0; rows];
     let drive = Drive { setpoint: &setpoint, by_hand: &by_hand, load: &nothing, disturbance: &nothing };
-    let Ok((_, moved)) = run(&law, joint.fit, time, &drive) else { return nothing_known };
-    if moved.iter().any(|value| value.abs() > LARGEST) {
-        return nothing_known;
-    }
+    let moved = run(&law, fit, time, &drive).ok()?;
+    moved.0.iter().chain(&moved.1).all(|value| value.abs() < LARGEST).then_some(moved)
+}
+
+/// What the movement from outside says about the fit.
+pub(crate) fn outside(
+    record: &Record,
+    problem: &Problem<'_>,
+    joint: &Joint,
+    controller: &RunningController,
+) -> Outside {
+    let Some((_, moved)) = moved_from_outside(record, joint.fit, controller) else {
+        return Outside { relative_deviation: f64::INFINITY, disagreement: 0.0, excess: [1.0; 2] };
+    };
     // Gain and dead time by the columns that the movement from outside makes.
     let fit = &joint.fit;
     let whitener = joint.whitener(problem);

@@ -8,6 +8,7 @@ use super::controller::RunningController;
 use super::identification::{Identification, IdentifiedProcess};
 use super::identify::{Fit, Kind};
 use super::replay::{Drive, Law, Steps, run};
+use super::wording::three;
 use super::{Record, diagnosis};
 use crate::analysis::frequency::{FrequencyError, Margins, margins};
 use crate::model::{ClosedLoop, Controller, ModelError, NoSampledLaw, Process, Radians, Seconds};
@@ -128,9 +129,12 @@ pub fn retune(record: &Record, answer: &Identification, id: &str) -> Result<Retu
         let same = present.filter(|gain| *gain > 0.0).map(|gain| 1.0 / gain - process.dead_time());
         let speed = same.unwrap_or(0.0).max(longest);
         choice = if same.is_some_and(|same| same >= longest) {
-            format!("closed-loop time {speed:.4} s: the gain stays as it is")
+            format!("closed-loop time {} s: the gain stays as it is", three(speed))
         } else {
-            format!("closed-loop time {speed:.4} s: the longest dead time that the record does not exclude")
+            format!(
+                "closed-loop time {} s: the longest dead time that the record does not exclude",
+                three(speed)
+            )
         };
         parameters = parameters.set("tau_c", speed);
     }

@@ -7,12 +7,13 @@ mod verdict;
 use thiserror::Error;
 
 use super::confidence::{Profile, inflations};
-use super::controller::recover;
+use super::controller::{RunningController, recover};
 use super::diagnosis::diagnose;
-use super::excitation::{Excitation, outside};
+use super::excitation::{Excitation, moved_from_outside, outside};
 use super::identification::{Candidate, Identification, IdentifyOptions, Verdict};
-use super::identify::{Hold, Kind, Whitened, exact};
+use super::identify::{Hold, Joint, Kind, Whitened, exact};
 use super::load::recover_load;
+use super::valve::fault;
 use super::{Record, Survey};
 use crate::model::Seconds;
 use found::{Found, process_of, quality};
@@ -91,13 +92,13 @@ pub fn identify(record: &Record, options: &IdentifyOptions) -> Result<Identifica
         controller,
         load: None,
         fit: None,
-        diagnosis: diagnose(None, None, &survey, excitation.closed_loop),
+        diagnosis: diagnose(None, None, &survey, excitation.closed_loop, None),
         test: None,
     };
     let found = Found::of(record, options, &excitation);
     if !excitation.any() {
         answer.reasons.push(nothing_from_outside(answer.controller.as_ref(), &survey));
-        answer.diagnosis = diagnose(None, answer.controller.as_ref(), &survey, true);
+        answer.diagnosis = diagnose(None, answer.controller.as_ref(), &survey, true, None);
         answer.test = found.and_then(|found| found.test(record, options));
         return Ok(answer);
     }
@@ -177,8 +178,9 @@ fn judge(
     if verdict != Verdict::Identified {
         answer.test = found.test(record, options);
     }
+    let (controller, closed_loop) = (answer.controller.as_ref(), answer.excitation.closed_loop);
     if verdict == Verdict::Refused {
-        answer.diagnosis = diagnose(None, answer.controller.as_ref(), survey, answer.excitation.closed_loop);
+        answer.diagnosis = diagnose(None, controller, survey, closed_loop, None);
         return;
     }
     let process = process_of(joint);
@@ -188,6 +190,20 @@ fn judge(
     answer.region = profile.region();
     answer.load = recover_load(record, problem, joint);
     let model = process.process(Seconds(found.step)).ok().filter(|_| process.kind != Kind::FirstOrder);
-    answer.diagnosis =
-        diagnose(model.as_ref(), answer.controller.as_ref(), survey, answer.excitation.closed_loop);
+    let rest = controller.and_then(|controller| not_from_outside(record, joint, controller));
+    let survey = rest.as_ref().unwrap_or(survey);
+    let valve = if closed_loop && !without_noise { fault(record, problem, joint) } else { None };
+    answer.diagnosis = diagnose(model.as_ref(), controller, survey, closed_loop, valve);
+}
+
+/// The survey of what setpoint, hand and limits do not explain: a cycle beside their moves.
+fn not_from_outside(record: &Record, joint: &Joint, controller: &RunningController) -> Option<Survey> {
+    let (level, output) = moved_from_outside(record, joint.fit, controller)?;
+    let less = |values: &[f64], moved: &[f64]| values.iter().zip(moved).map(|(a, b)| a - b).collect();
+    let rest = Record::new(
+        record.time().to_vec(),
+        less(record.controlled_variable(), &level),
+        less(record.manipulated_variable(), &output),
+    );
+    Some(Survey::of(&rest.ok()?))
 }

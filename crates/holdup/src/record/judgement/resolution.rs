@@ -1,6 +1,7 @@
 //! What the historian did to the controlled variable, as far as it is above the noise.
 
 use crate::record::identify::Noise;
+use crate::record::wording::three;
 use crate::record::{CompressionKind, Record, Survey};
 
 /// The typical step from one archived point to the next, where rows between them lie on straight lines: an archive keeps a
@@ -35,8 +36,8 @@ pub(super) fn resolution(record: &Record, survey: &Survey, noise: &Noise) -> (f6
     match &signal.quantisation {
         Some(quantisation) if quantisation.quantum > spread => {
             let text = format!(
-                "the controlled variable is rounded to {:.3}, more than the noise",
-                quantisation.quantum
+                "the controlled variable is rounded to {}, more than the noise",
+                three(quantisation.quantum)
             );
             (quantisation.quantum / 4.0, Some(text))
         }

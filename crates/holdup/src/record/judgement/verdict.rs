@@ -7,6 +7,7 @@ use crate::record::controller::RunningController;
 use crate::record::excitation::Outside;
 use crate::record::identification::{Identification, Verdict};
 use crate::record::identify::Kind;
+use crate::record::wording::{ends, three};
 
 /// Relative half width of the gain's interval above which the verdict is weak, and above which there is none.
 const WEAK: f64 = 0.35;
@@ -27,11 +28,11 @@ pub(super) fn nothing_from_outside(controller: Option<&RunningController>, surve
         let lag = controller.integral_time.map_or(0.0, |time| 1.0 / (frequency * time.value));
         let size = controller.proportional_gain.value.abs() * lag.hypot(1.0);
         text += &format!(
-            "; of the cycle of {:.4} s the fit is perfect and returns the controller: K = ω/|C(jω)| = {:.4e} /s, ω·d = π/2 + \
-             arg C(jω), d = {:.4} s",
-            seen.period_s,
-            frequency / size,
-            (std::f64::consts::FRAC_PI_2 - lag.atan()) / frequency
+            "; of the cycle of {} s the fit is perfect and returns the controller: K = ω/|C(jω)| = {} /s, ω·d = π/2 + \
+             arg C(jω), d = {} s",
+            three(seen.period_s),
+            three(frequency / size),
+            three((std::f64::consts::FRAC_PI_2 - lag.atan()) / frequency)
         );
     }
     text
@@ -60,15 +61,16 @@ pub(super) fn verdict(
     } else if half > WEAK {
         weak.push(format!("the process gain is known to ±{:.0} %", 100.0 * half));
     } else {
-        good.push(format!("the process gain is known to ±{:.2} %", 100.0 * half));
+        good.push(format!("the process gain is known to ±{} %", three(100.0 * half)));
     }
     let [least, most] = confidence.dead_time;
+    let [from, to] = ends(confidence.dead_time);
     if open_ended(confidence, *greatest, problem) {
-        weak.push(format!("the dead time may be {most:.4} s, the longest that was looked for, or more"));
+        weak.push(format!("the dead time may be {to} s, the longest that was looked for, or more"));
     } else if most - least > (joint.fit.dead_time + 2.0 * step).max(4.0 * step) {
-        weak.push(format!("the dead time is only known to lie between {least:.4} s and {most:.4} s"));
+        weak.push(format!("the dead time is only known to lie between {from} s and {to} s"));
     } else {
-        good.push(format!("the dead time lies between {least:.4} s and {most:.4} s"));
+        good.push(format!("the dead time lies between {from} s and {to} s"));
     }
     if answer.excitation.closed_loop {
         match outside {
@@ -110,8 +112,8 @@ pub(super) fn verdict(
     }
     if joint.fit.kind == Kind::FirstOrder {
         good.push(format!(
-            "the process is self-regulating over this record (lag {:.4} s): an integrator describes only its first part",
-            joint.fit.lag
+            "the process is self-regulating over this record (lag {} s): an integrator describes only its first part",
+            three(joint.fit.lag)
         ));
     }
     match (refused.is_empty(), weak.is_empty()) {
