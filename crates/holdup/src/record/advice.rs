@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::Record;
 use super::identify::{Basis, Hold, Joint, Kind, Load, Problem, dot};
+use super::wording::three;
 
 /// Relative standard deviation of the gain that a test is to reach: an interval of ±20 %.
 const GAIN: f64 = 0.1;
@@ -45,16 +46,16 @@ impl SafeTest {
             "is the best within what is allowed, and may not suffice"
         };
         format!(
-            "in manual, {:.3} above the present output for {:.0} s, then as much below for {:.0} s, then back, {:.0} s in \
-             all with rest before and after: the controlled variable moves by {:.3} of the {:.3} allowed; {verb}. Or in \
-             automatic a setpoint step of {:.3}",
-            self.pulse,
-            self.pulse_time,
-            self.pulse_time,
-            self.duration,
-            self.excursion,
-            self.allowed,
-            self.setpoint_step
+            "in manual, {} above the present output for {} s, then as much below for {} s, then back, {} s in \
+             all with rest before and after: the controlled variable moves by {} of the {} allowed; {verb}. Or in \
+             automatic a setpoint step of {}",
+            three(self.pulse),
+            three(self.pulse_time),
+            three(self.pulse_time),
+            three(self.duration),
+            three(self.excursion),
+            three(self.allowed),
+            three(self.setpoint_step)
         )
     }
 }

@@ -7,6 +7,7 @@
 use serde::Serialize;
 
 use super::identify::{dot, solve};
+use super::survey::quantum;
 use super::{Operation, Record};
 
 /// Rows over which changes are taken.
@@ -14,6 +15,9 @@ const SPANS: [usize; 5] = [1, 2, 5, 10, 20];
 
 /// Share of the changes of the manipulated variable that a controller must explain to be taken for one.
 pub(crate) const EXPLAINS: f64 = 0.8;
+
+/// The same where the integral action shows only beside the derivative.
+const BY_DERIVATIVE: f64 = 0.98;
 
 /// Rows that the manipulated variable must stand at its least or greatest value to be taken as limited.
 const LIMITED: usize = 3;
@@ -30,6 +34,12 @@ pub struct Estimate {
 impl Estimate {
     fn new(value: f64, deviation: f64) -> Self {
         Self { value, interval: [value - 1.96 * deviation, value + 1.96 * deviation] }
+    }
+
+    /// The same, wider by what another way to see it differs by.
+    fn widened(self, other: Option<Self>) -> Self {
+        let apart = other.map_or(0.0, |other| other.value - self.value);
+        Self::new(self.value, ((self.interval[1] - self.value) / 1.96).hypot(apart))
     }
 }
 
@@ -105,22 +115,58 @@ pub(crate) fn limited(record: &Record) -> Vec<bool> {
 #[must_use]
 pub fn recover(record: &Record) -> Option<RunningController> {
     let mut best: Option<RunningController> = None;
+    // What the row's own value and the controller's differ by (stamps, rounding, compression) weighs less in changes over
+    // more rows: what the changes over fewer rows give shows how much of it is left.
+    let mut beside: Option<RunningController> = None;
     for delay in 0..=1 {
-        for sum in [Sum::Trapezoid, Sum::Backward] {
+        for sum in [Sum::Backward, Sum::Trapezoid] {
             let signals = Signals::new(record, delay, sum);
-            for span in SPANS {
-                let found = signals.controller(span, delay);
+            let found: Vec<_> = SPANS.iter().map(|&span| signals.controller(span, delay)).collect();
+            for (place, candidate) in found.iter().enumerate() {
                 // A wider span must be clearly better: it explains a random walk more easily.
                 let margin = |best: &RunningController| {
-                    1.0 - found.as_ref().map_or(0.0, |found| found.explained) < 0.8 * (1.0 - best.explained)
+                    let explained = candidate.as_ref().map_or(0.0, |candidate| candidate.explained);
+                    1.0 - explained < 0.8 * (1.0 - best.explained)
                 };
-                if found.is_some() && best.as_ref().is_none_or(margin) {
-                    best = found;
+                if candidate.is_some() && best.as_ref().is_none_or(margin) {
+                    best.clone_from(candidate);
+                    let other = if place > 0 { place - 1 } else { 1 };
+                    beside.clone_from(&found[other]);
                 }
             }
         }
     }
-    best.filter(|best| best.explained >= EXPLAINS)
+    let mut best = best.filter(|best| best.explained >= EXPLAINS)?;
+    let mut once_a_row = None;
+    if best.structure != "P" && !best.between_rows && !to_rounding(record, &best) {
+        // Over even rows both sums explain the same, by gains and times that differ by half a row.
+        let between = Signals::new(record, best.delay_rows, Sum::Trapezoid);
+        let found = between.controller(best.span_rows, best.delay_rows);
+        if let Some(found) = found.filter(|found| found.structure == best.structure) {
+            once_a_row = Some(std::mem::replace(&mut best, found));
+        }
+    }
+    let beside = beside.filter(|beside| beside.structure == best.structure);
+    let wider = |own: Estimate, of: fn(&RunningController) -> Option<Estimate>| {
+        let seen = |other: &Option<RunningController>| other.as_ref().and_then(of);
+        own.widened(seen(&beside)).widened(seen(&once_a_row))
+    };
+    best.proportional_gain = wider(best.proportional_gain, |of| Some(of.proportional_gain));
+    best.integral_time = best.integral_time.map(|time| wider(time, |of| of.integral_time));
+    best.derivative_time = best.derivative_time.map(|time| wider(time, |of| of.derivative_time));
+    Some(best)
+}
+
+/// Whether a law that runs once a row leaves no more than the rounding of the rows' values: then it does run so.
+fn to_rounding(record: &Record, found: &RunningController) -> bool {
+    let output = record.manipulated_variable();
+    let changes = output.windows(found.span_rows + 1).map(|rows| rows[found.span_rows] - rows[0]);
+    #[expect(clippy::cast_precision_loss, reason = "a number of rows")]
+    let square = changes.map(|change| change * change).sum::<f64>() / output.len() as f64;
+    // A rounded value is off by a variance of q²/12, a difference of two by twice that; numbers have sixteen digits.
+    let [of_output, of_level] = [output, record.controlled_variable()].map(quantum);
+    let rounding = (of_output.powi(2) + (found.proportional_gain.value * of_level).powi(2)) / 6.0;
+    (1.0 - found.explained) * square <= 2.5 * rounding + 1e-12 * square
 }
 
 /// The signals that enter the law.
@@ -209,12 +255,15 @@ impl Signals {
         let pi = fit(vec![&together, &integral], true);
         if let Some(pi) = pi.filter(|pi| pi.better_than(&chosen.0) && pi.ratio(1) > 0.0) {
             chosen = (pi, "PI");
-            let pid = fit(vec![&together, &integral, &rate], true);
-            if let Some(pid) =
-                pid.filter(|pid| pid.better_than(&chosen.0) && pid.ratio(1) > 0.0 && pid.ratio(2) > 0.0)
-            {
-                chosen = (pid, "PID");
-            }
+        }
+        // Where the derivative does most, the integral shows only beside it; but the rate of an integrating process is its
+        // input a dead time ago, which must not pass for a controller.
+        let pid = fit(vec![&together, &integral, &rate], true)
+            .filter(|pid| chosen.1 == "PI" || pid.explained > BY_DERIVATIVE);
+        if let Some(pid) =
+            pid.filter(|pid| pid.better_than(&chosen.0) && pid.ratio(1) > 0.0 && pid.ratio(2) > 0.0)
+        {
+            chosen = (pid, "PID");
         }
         // Whether the proportional action sees the setpoint in full shows where the setpoint moves.
         let mut setpoint_weight = self.moves.then_some(1.0);

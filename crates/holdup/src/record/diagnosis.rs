@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::controller::RunningController;
+use super::wording::three;
 use super::{Oscillation, Shape, Survey};
 use crate::analysis::frequency::dominant_poles;
 use crate::model::{ClosedLoop, Controller, Process, Seconds};
@@ -42,12 +43,14 @@ pub(crate) fn controller(of: &RunningController) -> Option<Controller> {
     Some(controller)
 }
 
-/// The diagnosis of the recovered controller on the process, where there is one.
+/// The diagnosis of the recovered controller on the process, where there is one; `survey` is of what the setpoint does not
+/// explain, where that is known, and `valve` is what is wrong with the valve.
 pub(crate) fn diagnose(
     process: Option<&Process>,
     running: Option<&RunningController>,
     survey: &Survey,
     closed_loop: bool,
+    valve: Option<String>,
 ) -> Diagnosis {
     let mut diagnosis = Diagnosis::default();
     let seen = survey.controlled_variable.oscillation.filter(|seen| closed_loop && seen.strength > 0.4);
@@ -55,7 +58,9 @@ pub(crate) fn diagnose(
     if let (Some(process), Some(running)) = (process, running) {
         poles(&mut diagnosis, process, running);
     }
-    if let Some(seen) = seen {
+    if let Some(valve) = valve {
+        diagnosis.findings.insert(0, valve);
+    } else if let Some(seen) = seen {
         cycle(&mut diagnosis, &seen, running, survey);
     }
     diagnosis
@@ -79,23 +84,26 @@ fn poles(diagnosis: &mut Diagnosis, process: &Process, running: &RunningControll
     };
     if integral <= dead_time {
         diagnosis.findings.push(format!(
-            "the integral time of {integral:.3} s is not above the dead time of {dead_time:.3} s: unstable at every gain"
+            "the integral time of {} s is not above the dead time of {} s: unstable at every gain",
+            three(integral),
+            three(dead_time)
         ));
     } else if let Some(damping) = diagnosis.damping.filter(|damping| *damping < SWINGS) {
         let rule = 0.5 * (gain * integral).max(0.0).sqrt();
         // Where the rule of thumb for small K·Kc·d tells the damping, the integral time is what is wrong.
         if gain * dead_time < 0.6 && (damping - rule).abs() < 0.3 * rule.max(0.1) {
             diagnosis.findings.push(format!(
-                "reset too fast: the integral time of {integral:.4} s is too short for the gain, so that the loop swings \
-                 slowly (damping {damping:.2}, period {:.4} s); damping is about ½√(K·Kc·Ti) = {rule:.2}, so lowering the \
-                 gain makes it worse: an integral time of 4/(K·Kc) = {:.4} s ends it",
-                diagnosis.period.unwrap_or_default(),
-                4.0 / gain
+                "reset too fast: the integral time of {} s is too short for the gain, so that the loop swings \
+                 slowly (damping {damping:.2}, period {} s); damping is about ½√(K·Kc·Ti) = {rule:.2}, so lowering the \
+                 gain makes it worse: an integral time of 4/(K·Kc) = {} s ends it",
+                three(integral),
+                three(diagnosis.period.unwrap_or_default()),
+                three(4.0 / gain)
             ));
         } else {
             diagnosis.findings.push(format!(
-                "the gain is too high for the dead time: damping {damping:.2}, period {:.4} s",
-                diagnosis.period.unwrap_or_default()
+                "the gain is too high for the dead time: damping {damping:.2}, period {} s",
+                three(diagnosis.period.unwrap_or_default())
             ));
         }
     }
@@ -110,21 +118,21 @@ fn cycle(
     running: Option<&RunningController>,
     survey: &Survey,
 ) {
-    let period = seen.period_s;
+    let (period, said) = (seen.period_s, three(seen.period_s));
     let output = survey.manipulated_variable.oscillation;
     let own_period = diagnosis.period.filter(|own| (own / period - 1.0).abs() < 0.3);
     let text = if seen.shape == Shape::Triangular
         || output.is_some_and(|output| output.shape == Shape::Square)
     {
         format!(
-            "a steady cycle of {period:.4} s with straight flanks, as an integrating process makes them of a valve that \
+            "a steady cycle of {said} s with straight flanks, as an integrating process makes them of a valve that \
              sticks and jumps: check the valve (stroke it in manual by small steps) before tuning"
         )
     } else if let (Some(own), true) = (own_period, diagnosis.damping.is_some_and(|damping| damping < RINGS)) {
-        format!("a steady round cycle of {period:.4} s at the loop's own period of {own:.4} s: tuning")
-    } else if diagnosis.damping.is_some() {
+        format!("a steady round cycle of {said} s at the loop's own period of {} s: tuning", three(own))
+    } else if diagnosis.stable == Some(true) {
         format!(
-            "a steady round cycle of {period:.4} s that is not the loop's own: it comes from outside; look for another loop \
+            "a steady round cycle of {said} s that is not the loop's own: it comes from outside; look for another loop \
              with that period"
         )
     } else {
@@ -135,7 +143,7 @@ fn cycle(
         let phase = angle
             .map_or_else(String::new, |angle| format!("; the recovered controller turns it by {angle:.0}°"));
         format!(
-            "a steady round cycle of {period:.4} s{phase}: no sign of a sticking valve, but whether it is the loop's own or \
+            "a steady round cycle of {said} s{phase}: no sign of a sticking valve, but whether it is the loop's own or \
              comes from outside this record does not say; put the loop in manual for two periods: a cycle that stays comes \
              from outside"
         )

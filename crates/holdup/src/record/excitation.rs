@@ -10,9 +10,12 @@
 use serde::Serialize;
 
 use super::controller::{RunningController, limited};
-use super::identify::{Basis, Joint, Problem, dot};
+use super::identify::{Basis, Fit, Joint, Problem, dot};
 use super::replay::{Drive, Law, run};
 use super::{Operation, Record};
+
+/// Beyond this a loop that runs away is no longer followed: squares of its signals must stay numbers.
+const LARGEST: f64 = 1e100;
 
 /// What moved the loop from outside.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -89,14 +92,14 @@ pub(crate) struct Outside {
     pub(crate) excess: [f64; 2],
 }
 
-/// What the movement from outside says about the fit; the loop is run with the recovered controller.
-pub(crate) fn outside(
+/// Controlled and manipulated variable as setpoint, hand and limits alone would have moved them, as deviations: the loop is
+/// run with the recovered controller. `None` where that runs away.
+pub(crate) fn moved_from_outside(
     record: &Record,
-    problem: &Problem<'_>,
-    joint: &Joint,
+    fit: Fit,
     controller: &RunningController,
-) -> Outside {
-    let law = Law::of(controller);
+) -> Option<(Vec<f64>, Vec<f64>)> {
+    let law = Law::recovered(controller).ok()?;
     let (time, input) = (record.time(), record.manipulated_variable());
     let rows = record.len();
     let setpoint: Vec<f64> =
@@ -107,13 +110,21 @@ pub(crate) fn outside(
     let by_hand: Vec<Option<f64>> =
         (0..rows).map(|k| (k > 0 && hand(k)).then(|| input[k] - input[k - 1])).collect();
     let nothing = vec![0.0; rows];
-    let limits = [f64::NEG_INFINITY, f64::INFINITY];
-    let drive =
-        Drive { setpoint: &setpoint, by_hand: &by_hand, load: &nothing, disturbance: &nothing, limits };
-    let (_, moved) = run(&law, joint.fit, time, &drive);
-    if moved.iter().any(|value| !value.is_finite()) {
+    let drive = Drive { setpoint: &setpoint, by_hand: &by_hand, load: &nothing, disturbance: &nothing };
+    let moved = run(&law, fit, time, &drive).ok()?;
+    moved.0.iter().chain(&moved.1).all(|value| value.abs() < LARGEST).then_some(moved)
+}
+
+/// What the movement from outside says about the fit.
+pub(crate) fn outside(
+    record: &Record,
+    problem: &Problem<'_>,
+    joint: &Joint,
+    controller: &RunningController,
+) -> Outside {
+    let Some((_, moved)) = moved_from_outside(record, joint.fit, controller) else {
         return Outside { relative_deviation: f64::INFINITY, disagreement: 0.0, excess: [1.0; 2] };
-    }
+    };
     // Gain and dead time by the columns that the movement from outside makes.
     let fit = &joint.fit;
     let whitener = joint.whitener(problem);
@@ -156,17 +167,5 @@ pub(crate) fn outside(
         relative_deviation: if deviation.is_finite() { deviation / fit.gain.abs() } else { f64::INFINITY },
         disagreement: if disagreement.is_finite() { disagreement } else { 0.0 },
         excess,
-    }
-}
-
-impl Law {
-    /// The recovered controller.
-    pub(crate) fn of(controller: &RunningController) -> Self {
-        Self {
-            proportional_gain: controller.proportional_gain.value,
-            integral_time: controller.integral_time.map(|time| time.value),
-            derivative_time: controller.derivative_time.map_or(0.0, |time| time.value),
-            setpoint_weight: controller.setpoint_weight.unwrap_or(1.0),
-        }
     }
 }

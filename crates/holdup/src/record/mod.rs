@@ -15,6 +15,8 @@ mod replay;
 mod retuning;
 mod samples;
 mod survey;
+mod valve;
+mod wording;
 
 pub use advice::SafeTest;
 pub use diagnosis::Diagnosis;

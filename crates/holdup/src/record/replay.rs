@@ -1,15 +1,63 @@
 //! A loop run again at the rows of a record: what the setpoint and the hand alone would have done, or what another
-//! controller would have done against the same load.
+//! controller would have done against the same load. The law is the one that runs in the plant, `holdup_control`.
 
+use holdup_control::{Input, Limits, Mode, Pid, Segment, SettingError, Settings, State, segments_needed};
+
+use super::controller::RunningController;
 use super::identify::{Fit, Kind};
+use crate::model::{Controller, NoSampledLaw, Process, Seconds, sampled_law};
 
-/// A controller in velocity form at the rows: Δu = Kc·(b·Δr − Δy + e·h/Ti − Td·Δ(y′)).
+/// A controller that runs once a row.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Law {
-    pub(crate) proportional_gain: f64,
-    pub(crate) integral_time: Option<f64>,
-    pub(crate) derivative_time: f64,
-    pub(crate) setpoint_weight: f64,
+    settings: Settings<f64>,
+    /// Rows after which the controller answers the controlled variable.
+    delay: usize,
+}
+
+impl Law {
+    /// The recovered controller.
+    pub(crate) fn recovered(running: &RunningController) -> Result<Self, SettingError> {
+        let mut pid = Pid::proportional(running.proportional_gain.value)?
+            .with_setpoint_weights(running.setpoint_weight.unwrap_or(1.0), 0.0)?;
+        if let Some(time) = running.integral_time {
+            pid = pid.with_integral(time.value)?;
+        }
+        if let Some(time) = running.derivative_time {
+            pid = pid.with_derivative(time.value, None)?;
+        }
+        Ok(Self { settings: Settings::new(pid), delay: running.delay_rows })
+    }
+
+    /// A controller designed on a process, with rows a mean `row` apart, which answers after so many rows.
+    pub(crate) fn designed(
+        process: &Process,
+        controller: &Controller,
+        row: Seconds,
+        delay: usize,
+    ) -> Result<Self, NoSampledLaw> {
+        let law = sampled_law(process, controller, row)?;
+        let mut settings = Settings::new(law.pid);
+        if let Some(observer) = law.observer {
+            settings = settings.with_observer(observer)?;
+        }
+        Ok(Self { settings, delay })
+    }
+
+    /// The same within the least and the greatest manipulated variable, as deviations.
+    pub(crate) fn within(self, limits: Option<[f64; 2]>) -> Result<Self, SettingError> {
+        let Some([low, high]) = limits else { return Ok(self) };
+        let settings = self.settings.with_limits(Limits::new(Some(low), Some(high))?)?;
+        Ok(Self { settings, ..self })
+    }
+
+    /// The delay line that an observer needs over rows of any distance.
+    fn line(&self, time: &[f64]) -> Vec<Segment<f64>> {
+        let Some(observer) = self.settings.law().observer else { return Vec::new() };
+        let shortest = time.windows(2).map(|pair| pair[1] - pair[0]).fold(f64::INFINITY, f64::min);
+        let segments = segments_needed(observer.dead_time(), shortest);
+        vec![Segment::default(); segments.min(1 << 22).max(self.settings.segments_needed())]
+    }
 }
 
 /// The process in steps between rows, its input held and delayed by any dead time.
@@ -76,35 +124,31 @@ pub(crate) struct Drive<'d> {
     pub(crate) load: &'d [f64],
     /// What is added to the output beside the process: initial movement and noise.
     pub(crate) disturbance: &'d [f64],
-    /// Least and greatest manipulated variable, as deviation from the first.
-    pub(crate) limits: [f64; 2],
 }
 
-/// Controlled and manipulated variable at the rows, as deviations.
-pub(crate) fn run(law: &Law, fit: Fit, time: &[f64], drive: &Drive<'_>) -> (Vec<f64>, Vec<f64>) {
+/// Controlled and manipulated variable at the rows, as deviations. At the first row the controller is at rest.
+pub(crate) fn run(
+    law: &Law,
+    fit: Fit,
+    time: &[f64],
+    drive: &Drive<'_>,
+) -> Result<(Vec<f64>, Vec<f64>), SettingError> {
     let rows = time.len();
     let mut steps = Steps::new(fit, time);
     let (mut output, mut input) = (vec![drive.disturbance[0]], Vec::with_capacity(rows));
-    let mut value = 0.0;
+    let mut state = State::at_rest(&law.settings, law.line(time), drive.setpoint[0], output[0], 0.0)?;
     for k in 0..rows {
-        if let Some(change) = drive.by_hand[k] {
-            value += change;
-        } else if k > 0 {
-            let step = time[k] - time[k - 1];
-            let moved = output[k] - output[k - 1];
-            let before =
-                if k > 1 { (output[k - 1] - output[k - 2]) / (time[k - 1] - time[k - 2]) } else { 0.0 };
-            let setpoint = drive.setpoint[k] - drive.setpoint[k - 1];
-            let error = drive.setpoint[k] - output[k];
-            let integral = law.integral_time.map_or(0.0, |time| error * step / time);
-            let rate = law.derivative_time * (moved / step - before);
-            value += law.proportional_gain * (law.setpoint_weight * setpoint - moved + integral - rate);
-            value = value.clamp(drive.limits[0], drive.limits[1]);
+        let mut value = state.manipulated_variable;
+        if k > 0 {
+            let seen = output[k.saturating_sub(law.delay)];
+            let mode = drive.by_hand[k].map_or(Mode::Automatic, |change| Mode::Manual(value + change));
+            let given = Input::automatic(time[k] - time[k - 1], drive.setpoint[k], seen);
+            value = state.update(&law.settings, &Input { mode, ..given }).manipulated_variable;
         }
         input.push(value);
         if k + 1 < rows {
             output.push(drive.disturbance[k + 1] + steps.next(&input, drive.load[k], k));
         }
     }
-    (output, input)
+    Ok((output, input))
 }

@@ -1,5 +1,6 @@
 //! What a new tuning would do: margins over everything the record does not exclude, and the record run again with it.
 
+use holdup_control::SettingError;
 use serde::Serialize;
 use thiserror::Error;
 
@@ -7,9 +8,10 @@ use super::controller::RunningController;
 use super::identification::{Identification, IdentifiedProcess};
 use super::identify::{Fit, Kind};
 use super::replay::{Drive, Law, Steps, run};
+use super::wording::three;
 use super::{Record, diagnosis};
 use crate::analysis::frequency::{FrequencyError, Margins, margins};
-use crate::model::{ClosedLoop, Controller, ModelError, Process, Radians, Seconds};
+use crate::model::{ClosedLoop, Controller, ModelError, NoSampledLaw, Process, Radians, Seconds};
 use crate::tuning::{Parameters, RuleError, Tuning, rule};
 
 /// Gains that are tried at each dead time of the region.
@@ -36,6 +38,9 @@ pub enum RetuneError {
     /// Settings out of range.
     #[error(transparent)]
     Model(#[from] ModelError),
+    /// A controller that does not run in samples.
+    #[error("the record cannot be run again with it: {0}")]
+    Law(#[from] NoSampledLaw),
 }
 
 /// The worst over the confidence region, by trying many points and searching about the worst: not a proof.
@@ -99,7 +104,7 @@ pub struct Retuning {
 ///
 /// With `pi-simc` the closed-loop time is that which keeps the running controller's gain where that is safe, and never below
 /// the longest dead time that the record does not exclude. The replay keeps everything that the input does not explain: load and
-/// noise; the law runs once a row.
+/// noise; the law of `holdup_control`, which is the one that runs in the plant, runs once a row.
 ///
 /// # Errors
 /// [`RetuneError`] where there is no process or the rule does not apply.
@@ -124,9 +129,12 @@ pub fn retune(record: &Record, answer: &Identification, id: &str) -> Result<Retu
         let same = present.filter(|gain| *gain > 0.0).map(|gain| 1.0 / gain - process.dead_time());
         let speed = same.unwrap_or(0.0).max(longest);
         choice = if same.is_some_and(|same| same >= longest) {
-            format!("closed-loop time {speed:.4} s: the gain stays as it is")
+            format!("closed-loop time {} s: the gain stays as it is", three(speed))
         } else {
-            format!("closed-loop time {speed:.4} s: the longest dead time that the record does not exclude")
+            format!(
+                "closed-loop time {} s: the longest dead time that the record does not exclude",
+                three(speed)
+            )
         };
         parameters = parameters.set("tau_c", speed);
     }
@@ -134,26 +142,20 @@ pub fn retune(record: &Record, answer: &Identification, id: &str) -> Result<Retu
     let nominal = margins(&ClosedLoop::new(&process, &tuning.controller))?;
     let worst = worst(answer, found, &tuning.controller, row)?;
     let rows = Rows::new(record, found);
-    let law = law(&tuning.controller);
+    let running = answer.controller.as_ref();
+    let delay = running.map_or(0, |running| running.delay_rows);
+    let law = Law::designed(&process, &tuning.controller, Seconds(row), delay)?;
+    let before = running.and_then(|running| rows.run(&Law::recovered(running).ok()?).ok());
     Ok(Retuning {
         choice,
         process,
         nominal,
         worst,
         recorded: rows.replay(record.controlled_variable().to_vec(), record.manipulated_variable().to_vec()),
-        before: answer.controller.as_ref().map(|running: &RunningController| rows.run(&Law::of(running))),
-        after: rows.run(&law),
+        before,
+        after: rows.run(&law).map_err(NoSampledLaw::from)?,
         tuning,
     })
-}
-
-fn law(controller: &Controller) -> Law {
-    Law {
-        proportional_gain: controller.proportional_gain(),
-        integral_time: controller.integral_time(),
-        derivative_time: controller.derivative_time().unwrap_or(0.0),
-        setpoint_weight: controller.setpoint_weight(),
-    }
 }
 
 /// The worst margins over the region: a grid over its slices, then ever closer about the greatest sensitivity peak.
@@ -228,7 +230,7 @@ struct Rows<'r> {
     fit: Fit,
     setpoint: Vec<f64>,
     rest: Vec<f64>,
-    limits: [f64; 2],
+    limits: Option<[f64; 2]>,
 }
 
 impl<'r> Rows<'r> {
@@ -257,11 +259,11 @@ impl<'r> Rows<'r> {
         );
         // Percent of span where it looks like it, else as far as the actuator likes.
         let percent = input.iter().all(|value| (0.0..=100.0).contains(value));
-        let limits = if percent { [-input[0], 100.0 - input[0]] } else { [f64::NEG_INFINITY, f64::INFINITY] };
+        let limits = percent.then(|| [-input[0], 100.0 - input[0]]);
         Self { record, fit, setpoint, rest, limits }
     }
 
-    fn run(&self, law: &Law) -> Replay {
+    fn run(&self, law: &Law) -> Result<Replay, SettingError> {
         let time = self.record.time();
         let nothing = vec![0.0; time.len()];
         let drive = Drive {
@@ -269,14 +271,13 @@ impl<'r> Rows<'r> {
             by_hand: &vec![None; time.len()],
             load: &nothing,
             disturbance: &self.rest,
-            limits: self.limits,
         };
-        let (output, input) = run(law, self.fit, time, &drive);
+        let (output, input) = run(&law.within(self.limits)?, self.fit, time, &drive)?;
         let (first, stand) = (self.record.controlled_variable()[0], self.record.manipulated_variable()[0]);
-        self.replay(
+        Ok(self.replay(
             output.into_iter().map(|value| value + first).collect(),
             input.into_iter().map(|value| value + stand).collect(),
-        )
+        ))
     }
 
     fn replay(&self, controlled_variable: Vec<f64>, manipulated_variable: Vec<f64>) -> Replay {

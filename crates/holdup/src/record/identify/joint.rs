@@ -82,7 +82,7 @@ pub(crate) fn exact(problem: &Problem<'_>, fit: &Fit) -> bool {
 }
 
 /// The noise that a fit leaves, and how likely the two are.
-fn with_noise(problem: &Problem<'_>, fit: Fit, near: Option<&Noise>) -> Joint {
+pub(crate) fn with_noise(problem: &Problem<'_>, fit: Fit, near: Option<&Noise>) -> Joint {
     let mut columns = problem.own_columns(fit.kind, fit.lag);
     columns.push(problem.column(fit.kind.shape(fit.lag), fit.dead_time));
     #[expect(clippy::cast_precision_loss, reason = "a number of rows")]

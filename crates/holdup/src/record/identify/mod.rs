@@ -17,7 +17,7 @@ pub use noise::Noise;
 pub use point::{PointError, PointFit, greatest_dead_time, point_fit};
 
 pub(crate) use input::Shape;
-pub(crate) use joint::{Joint, exact, joint, starting_noises};
+pub(crate) use joint::{Joint, exact, joint, starting_noises, with_noise};
 pub(crate) use noise::Whitener;
 pub(crate) use problem::{Fit, Problem, Whitened};
 pub(crate) use search::polish;

@@ -39,6 +39,12 @@ impl<'r> Problem<'r> {
         Self { input: Input::new(record.time(), samples, Hold::Constant), ..self.clone() }
     }
 
+    /// A shape of another input of the same record, so much later.
+    pub(crate) fn column_of(&self, record: &Record, samples: &[f64], shape: Shape, delay: f64) -> Vec<f64> {
+        let input = Input::new(record.time(), samples, Hold::Constant);
+        self.in_blocks(input.column(shape, delay, self.sample_times))
+    }
+
     fn in_blocks(&self, rows: Vec<f64>) -> Vec<f64> {
         if self.block == 1 {
             return rows;

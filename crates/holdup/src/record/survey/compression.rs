@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use super::events::range;
 use super::sampling::Sampling;
 use super::statistics::{differences, quantile, real, spread};
 
@@ -73,13 +74,19 @@ fn held(values: &[f64], moves: &[f64], quantum: Option<f64>) -> Option<Compressi
 }
 
 /// Fewer points than these are no archive, but a signal that bends a few times.
-const LEAST_POINTS: usize = 20;
+const LEAST_POINTS: usize = 6;
 
 /// Rows on straight lines: second differences of next to nothing, far more often than noise would have them.
 fn interpolated(values: &[f64], quantum: Option<f64>) -> Option<Compression> {
     let bends: Vec<f64> = values.windows(3).map(|part| part[2] - 2.0 * part[1] + part[0]).collect();
     let moving = |row: usize| values[row] != values[row + 1] || values[row + 1] != values[row + 2];
-    let bent: Vec<f64> = bends.iter().copied().filter(|bend| bend.abs() > 0.0).collect();
+    // The sixteenth digit of a straight line is no bend: of few archived points it would outnumber them.
+    let (least, greatest) = range(values);
+    let rounding = (1e-12 * least.abs().max(greatest.abs())).max(2.0 * quantum.unwrap_or(0.0));
+    let bent: Vec<f64> = bends.iter().copied().filter(|bend| bend.abs() > rounding).collect();
+    if bent.is_empty() {
+        return None;
+    }
     let size = spread(bent.iter().copied())
         .max(quantile(bends.iter().map(|bend| bend.abs()).collect(), 0.95) / 1.96);
     // A line that is rounded to the quantum bends by up to two of it.

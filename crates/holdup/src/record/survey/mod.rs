@@ -25,6 +25,11 @@ pub use window::Window;
 
 use super::Record;
 
+/// The smallest step of a signal; 0 where there is none.
+pub(super) fn quantum(values: &[f64]) -> f64 {
+    quantisation::quantisation(values).map_or(0.0, |found| found.quantum)
+}
+
 /// The summary of a record: the signals one by one, what happened, and the window to use.
 ///
 /// ```
