@@ -94,7 +94,7 @@ pub(super) fn crossings<const L: usize>(
             continue;
         }
         let middle = nodes.values[0].0[l];
-        let inside = before[l].map(|most| if most > 1 { None } else { Some(most) }).unwrap_or(None);
+        let inside = before[l].filter(|most| *most <= 1);
         let crossed = usize::from(over > 0.0 && (first.0[l] < 0.0) != (middle < 0.0));
         // With at most one root it is there exactly when the sign has changed.
         let Some(_) = inside.filter(|most| *most >= crossed) else { continue };
@@ -192,10 +192,10 @@ fn roots_in_layer<const L: usize>(stretch: &Stretch<'_, L>, over: f64) -> [Optio
         scale = scale * per_theta;
         power *= over * INVERSE[i + 1];
     }
-    let mut count = Changes::new(differences[0].abs());
+    let mut signs = Changes::new(differences[0].abs());
     let differences = &mut differences[..used];
     for q in &e.layer[..stretch.terms] {
-        count.next(*q, differences);
+        signs.next(*q, differences);
     }
     // Beyond the layer's terms there is the polynomial alone. Coefficients are means of what is near θ = j: ten widths past
     // the end of the layer they are nothing within it.
@@ -210,15 +210,15 @@ fn roots_in_layer<const L: usize>(stretch: &Stretch<'_, L>, over: f64) -> [Optio
         }
         let steady = others.every(differences[0].abs(), |others, first| others < first);
         for _ in 0..if steady { 1 } else { BLOCK } {
-            count.next(Lanes::ZERO, differences);
+            signs.next(Lanes::ZERO, differences);
         }
         beyond = if steady { 0.0 } else { beyond - BLOCK_LENGTH };
     }
     let mut most = [None; L];
     for l in 0..L {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small count")]
-        let changes = count.changes.0[l] as usize;
-        most[l] = (count.least.0[l] > 0.0).then_some(changes);
+        let changes = signs.count.0[l] as usize;
+        most[l] = (signs.least.0[l] > 0.0).then_some(changes);
     }
     most
 }
@@ -228,7 +228,7 @@ struct Changes<const L: usize> {
     /// Size below which, times 1e-13, a number may have either sign.
     size: Lanes<L>,
     before: Lanes<L>,
-    changes: Lanes<L>,
+    count: Lanes<L>,
     /// Not positive once a sign was not certain.
     least: Lanes<L>,
 }
@@ -236,7 +236,7 @@ struct Changes<const L: usize> {
 impl<const L: usize> Changes<L> {
     #[inline(always)]
     fn new(size: Lanes<L>) -> Self {
-        Self { size, before: Lanes::ZERO, changes: Lanes::ZERO, least: Lanes::all(f64::INFINITY) }
+        Self { size, before: Lanes::ZERO, count: Lanes::ZERO, least: Lanes::all(f64::INFINITY) }
     }
 
     /// The next number is `own` plus the value of the polynomial with these differences, which moves on.
@@ -244,11 +244,12 @@ impl<const L: usize> Changes<L> {
     fn next(&mut self, own: Lanes<L>, differences: &mut [Lanes<L>]) {
         let t = own + differences[0];
         self.least = self.least.min(t.abs() - (own.abs() + self.size) * 1e-13);
-        self.changes += (t * self.before).map(|product| if product < 0.0 { 1.0 } else { 0.0 });
+        self.count += (t * self.before).map(|product| if product < 0.0 { 1.0 } else { 0.0 });
         self.before = t.map(|t| 1f64.copysign(t));
         for i in 1..differences.len() {
             lane_by_lane::<L>();
-            differences[i - 1] = differences[i - 1] + differences[i];
+            let next = differences[i];
+            differences[i - 1] += next;
         }
     }
 }
@@ -324,7 +325,8 @@ pub(super) fn only_root<const L: usize>(
     let layer = &e.layer[..terms];
     for _ in 0..100 {
         for l in 0..L {
-            if !(s.0[l] > low.0[l] && s.0[l] < high.0[l]) && !done[l] {
+            let inside = s.0[l] > low.0[l] && s.0[l] < high.0[l];
+            if !inside && !done[l] {
                 s.0[l] = 0.5 * (low.0[l] + high.0[l]);
             }
         }

@@ -87,13 +87,13 @@ pub(super) fn agreed<const L: usize>(of: impl Fn(usize) -> bool) -> Option<bool>
 }
 
 macro_rules! operation {
-    ($of:ident, $name:ident, $operator:tt) => {
+    ($of:ident, $name:ident, $assign:tt) => {
         impl<const L: usize> $of for Lanes<L> {
             type Output = Self;
             #[inline(always)]
             fn $name(mut self, other: Self) -> Self {
                 for l in 0..L {
-                    self.0[l] = self.0[l] $operator other.0[l];
+                    self.0[l] $assign other.0[l];
                 }
                 self
             }
@@ -103,17 +103,17 @@ macro_rules! operation {
             #[inline(always)]
             fn $name(mut self, other: f64) -> Self {
                 for l in 0..L {
-                    self.0[l] = self.0[l] $operator other;
+                    self.0[l] $assign other;
                 }
                 self
             }
         }
     };
 }
-operation!(Add, add, +);
-operation!(Sub, sub, -);
-operation!(Mul, mul, *);
-operation!(Div, div, /);
+operation!(Add, add, +=);
+operation!(Sub, sub, -=);
+operation!(Mul, mul, *=);
+operation!(Div, div, /=);
 
 impl<const L: usize> AddAssign for Lanes<L> {
     #[inline(always)]

@@ -88,6 +88,6 @@ fn run_together<const L: usize>(
     for system in systems {
         plans.push(Plan::new(system, scenario)?);
     }
-    let together = Together::new(plans.as_array::<L>()?)?;
+    let together = Together::new(<&[Plan; L]>::try_from(plans.as_slice()).ok()?)?;
     Propagation::new(systems, &together).run(scenario, watch)
 }

@@ -112,7 +112,8 @@ fn restrict<const L: usize>(p: &mut [Lanes<L>], from: Lanes<L>, to: Lanes<L>) {
     for lowest in 0..p.len() {
         for j in (lowest..p.len() - 1).rev() {
             lane_by_lane::<L>();
-            p[j] = p[j] + middle * p[j + 1];
+            let next = middle * p[j + 1];
+            p[j] += next;
         }
     }
     let mut power = Lanes::all(1.0);
@@ -139,5 +140,45 @@ pub(super) fn shift<const L: usize>(layer: &mut [Lanes<L>], theta: Lanes<L>) {
             sum += *q * *w;
         }
         layer[j] = sum;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::analysis::response::layered::segment::layer_at;
+
+    #[test]
+    fn both_parts_of_split_signals_are_the_signals() {
+        let mut signals: Signals<2> = Signals::ZERO;
+        signals.order = 12;
+        for j in 0..12 {
+            let j_number = f64::from(i32::try_from(j).unwrap());
+            signals.smooth[j] = Lanes([0.5f64.powf(j_number), 0.7f64.powf(j_number)]);
+            signals.layer[j] = Lanes([(-0.6f64).powi(i32::try_from(j).unwrap()), 0.3f64.powf(j_number)]);
+        }
+        let (points, thetas) = (Lanes([0.2, -0.4]), Lanes([3.0, 7.0]));
+        let (first, second) = signals.split(points, thetas, 12);
+        for l in 0..2 {
+            let of = |signals: &Signals<2>| {
+                let mut signal = Signal::ZERO;
+                signals.of_loop(l, 12, &mut signal);
+                signal
+            };
+            let (whole, first, second) = (of(&signals), of(&first), of(&second));
+            let value = |signal: &Signal, s: f64| signal.smooth.iter().rev().fold(0.0, |sum, c| sum * s + c);
+            let at = points.0[l];
+            // 1e-14: rounding of a few dozen terms of size 1.
+            for s in [-1.0, -0.3, 0.9] {
+                let (before, after) =
+                    (-1.0 + 0.5 * (1.0 + at) * (1.0 + s), 1.0 - 0.5 * (1.0 - at) * (1.0 - s));
+                assert!((value(&first, s) - value(&whole, before)).abs() < 1e-14);
+                assert!((value(&second, s) - value(&whole, after)).abs() < 1e-14);
+            }
+            for theta in [0.0, 1.7, 20.0] {
+                let expected = layer_at(&whole, thetas.0[l] + theta, 12);
+                assert!((layer_at(&second, theta, 12) - expected).abs() < 1e-14);
+            }
+        }
     }
 }

@@ -25,7 +25,7 @@ fn square<const L: usize>(stretch: &Stretch<'_, L>, x: &Signals<L>, so_far: Lane
     let smooth = smooth_square(&x.smooth[..x.order]) * stretch.length;
     let layer = &x.layer[..stretch.terms];
     let (smooth_size, size) = x.sizes(stretch.terms);
-    if !(size.largest() > 0.0) {
+    if size.largest() <= 0.0 {
         return smooth.0.map(Some);
     }
     let floor = (smooth + so_far) * stretch.rate * ROUNDING;
@@ -179,5 +179,3 @@ pub(super) fn dot<const L: usize>(list: &[Lanes<L>], weights: &[f64]) -> Lanes<L
 
 const _: () =
     assert!(LAYER_TERMS + 1 == INVERSE.len() && 2 * TERMS <= INVERSE.len(), "INVERSE reaches far enough");
-
-pub static COUNT: [std::sync::atomic::AtomicUsize; 4] = [const { std::sync::atomic::AtomicUsize::new(0) }; 4];

@@ -103,7 +103,7 @@ fn terms<const L: usize>(
     plans: &[Plan; L],
     of: impl Fn(&Plan) -> &Vec<(usize, f64)>,
 ) -> Option<Vec<(usize, Lanes<L>)>> {
-    let lists = plans.each_ref().map(|plan| of(plan));
+    let lists = plans.each_ref().map(&of);
     let first = lists[0];
     let alike = |list: &Vec<(usize, f64)>| {
         list.len() == first.len() && list.iter().zip(first).all(|(a, b)| a.0 == b.0)
