@@ -98,16 +98,16 @@ pub(super) fn least(low: f64, high: f64, width: f64, value: &mut dyn FnMut(f64) 
         let beyond = here.1 == f64::INFINITY && x.1 == f64::INFINITY;
         if if beyond { next < x.0 } else { here.1 <= x.1 } {
             if next < x.0 {
-                b = x.0
+                b = x.0;
             } else {
-                a = x.0
+                a = x.0;
             }
             (v, w, x) = (w, x, here);
         } else {
             if next < x.0 {
-                a = next
+                a = next;
             } else {
-                b = next
+                b = next;
             }
             if here.1 <= w.1 || w.0 == x.0 {
                 (v, w) = (w, here);

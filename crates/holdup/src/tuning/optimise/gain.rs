@@ -71,6 +71,7 @@ pub(super) const OUTSIDE: f64 = 1e200;
 
 /// What is known of a design.
 #[derive(Debug, Clone, Copy)]
+#[expect(clippy::large_enum_variant, reason = "one at a time, on the stack")]
 pub(super) enum Best {
     /// The best of the gains that keep the limits on margins.
     Of(Candidate),

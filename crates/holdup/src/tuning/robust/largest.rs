@@ -74,9 +74,10 @@ pub fn largest_family(
         }
         (inside, size) = (here, 2.0 * size);
     };
-    let low = match outside.1 < 0.0 {
-        true => boundary(inside, outside, (FINEST, 0.1 * FINEST), &mut |size| slack(size)),
-        false => inside.0,
+    let low = if outside.1 < 0.0 {
+        boundary(inside, outside, (FINEST, 0.1 * FINEST), &mut |size| slack(size))
+    } else {
+        inside.0
     };
     let Ok(family) = shape.scaled(low) else { return Ok(None) };
     if !keeps(&family)? {
