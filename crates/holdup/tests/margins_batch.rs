@@ -1,5 +1,7 @@
 //! The margins of many loops are those of the exact analysis of each.
 
+#![expect(clippy::unwrap_used, reason = "helpers of tests")]
+
 use holdup::analysis::batch::{ManyMargins, Robustness, margins_of_controllers, margins_of_processes};
 use holdup::analysis::frequency::margins;
 use holdup::model::{ClosedLoop, Controller, Process, Seconds};
