@@ -50,15 +50,18 @@ impl<'a> Sampler<'a> {
     ) -> Result<Self, ResponseError> {
         let horizon = scenario.horizon();
         let times = &result.time;
-        if let Some(&value) = times.iter().find(|t| !(**t >= 0.0 && **t <= horizon)) {
+        let is_within = |t: f64| t >= 0.0 && t <= horizon;
+        // Without a way out of the loops they are vectors.
+        let all_within = times.iter().fold(true, |all, &t| all & is_within(t));
+        if let Some(&value) = times.iter().find(|t| !all_within && !is_within(**t)) {
             return Err(ResponseError::TimeOutside { value, horizon });
         }
-        let order = (!times.is_sorted()).then(|| {
+        let sorted = times.iter().zip(times.iter().skip(1)).fold(true, |all, (a, b)| all & (a <= b));
+        let order = (!sorted).then(|| {
             let mut order: Vec<usize> = (0..times.len()).collect();
             order.sort_by(|&a, &b| times[a].total_cmp(&times[b]));
             order
         });
-        let sorted = order.is_none();
         hold(&mut result.setpoint, times, sorted, scenario.initial(), scenario.setpoint());
         hold(&mut result.load, times, sorted, 0.0, scenario.load());
         // Every value is overwritten.
