@@ -318,9 +318,9 @@ fn figure(
     points: &[Point],
 ) -> Result<Figure, FigureError> {
     let (x, y) = points.iter().map(|point| (point.sensitivity_peak, point.value)).unzip();
-    let mut panel = Panel::new(Axis::linear("sensitivity peak M_s"), Axis::logarithmic(objective.name()));
-    panel =
-        panel.with_series(Series::new(format!("best {}", structure.name()), x, y)?.with_tone(Tone::Slot(0)));
+    let mut panel = Panel::new(Axis::linear("sensitivity peak M_s"), Axis::logarithmic(in_words(objective)));
+    let name = format!("best {}", structure.name().to_uppercase());
+    panel = panel.with_series(Series::new(name, x, y)?.with_tone(Tone::Slot(0)));
     let ranked = rank(process, &ORDERS[0], |entry| entry.structure.eq_ignore_ascii_case(structure.name()));
     let (mut peaks, mut values, mut names) = (Vec::new(), Vec::new(), Vec::new());
     let greatest = PEAKS[PEAKS.len() - 1];
@@ -343,6 +343,19 @@ fn figure(
         panel = panel.with_series(rules.as_marks(Mark::Disc).with_tone(Tone::Slot(1)));
     }
     Figure::new("What robustness costs", vec![panel])
+}
+
+/// The objective as the label of an axis.
+fn in_words(objective: Objective) -> String {
+    let name = objective.name().replace('_', " ").replace("iae", "IAE").replace("ise", "ISE");
+    let unit = match objective {
+        Objective::LoadIse | Objective::SetpointIse => " [output unit² · s]",
+        Objective::ControlEnergy => " [input unit² · s]",
+        Objective::TotalVariation => " [input unit]",
+        Objective::LoadIae | Objective::SetpointIae | Objective::Weighted { .. } => " [output unit · s]",
+        _ => "",
+    };
+    name + unit
 }
 
 fn level(args: &OptimiseArgs, process: &Process, console: Console) -> Result<Answer, Fault> {

@@ -51,12 +51,13 @@ impl<'a> Sampler<'a> {
         let horizon = scenario.horizon();
         let times = &result.time;
         let is_within = |t: f64| t >= 0.0 && t <= horizon;
-        // Without a way out of the loops they are vectors.
-        let all_within = times.iter().fold(true, |all, &t| all & is_within(t));
-        if let Some(&value) = times.iter().find(|t| !all_within && !is_within(**t)) {
+        // Counting has no way out of the loop, so it is done in vectors.
+        let outside: usize = times.iter().map(|&t| usize::from(!is_within(t))).sum();
+        if let Some(&value) = times.iter().find(|t| outside > 0 && !is_within(**t)) {
             return Err(ResponseError::TimeOutside { value, horizon });
         }
-        let sorted = times.iter().zip(times.iter().skip(1)).fold(true, |all, (a, b)| all & (a <= b));
+        let steps_back: usize = times.iter().zip(times.iter().skip(1)).map(|(a, b)| usize::from(a > b)).sum();
+        let sorted = steps_back == 0;
         let order = (!sorted).then(|| {
             let mut order: Vec<usize> = (0..times.len()).collect();
             order.sort_by(|&a, &b| times[a].total_cmp(&times[b]));

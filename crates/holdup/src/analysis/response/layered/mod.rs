@@ -33,6 +33,7 @@ mod segment;
 mod signal;
 mod signals;
 mod squares;
+mod states;
 mod tables;
 mod together;
 
