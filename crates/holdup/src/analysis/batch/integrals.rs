@@ -18,8 +18,8 @@ use crate::model::{ClosedLoop, Controller, Process};
 /// let slower = Process::integrating(0.0506, Seconds(7.0))?;
 /// let load = Scenario::unit_load_step(Seconds(600.0))?;
 /// let results = integrals_over_processes(&[nominal, slower], &pi, &load);
-/// let iae: Vec<f64> = results.iter().map(|r| r.as_ref().unwrap().iae.unwrap()).collect();
-/// assert!(iae[0] < iae[1]);
+/// let ise: Vec<f64> = results.iter().map(|r| r.as_ref().unwrap().ise.unwrap()).collect();
+/// assert!(ise[0] < ise[1]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
