@@ -61,7 +61,7 @@ pub(super) fn value(coefficients: &[f64], s: f64) -> f64 {
 }
 
 /// Points that are evaluated together.
-const BATCH: usize = 32;
+pub(super) const BATCH: usize = 32;
 
 /// Power-basis coefficients of each Legendre polynomial, row k for degree k.
 static POWERS: LazyLock<[Poly; TERMS]> = LazyLock::new(|| {
@@ -112,16 +112,30 @@ pub(super) fn from_powers(c: &Poly) -> Poly {
 /// Values at many times of a polynomial in the power basis, on a cell that starts at `start` and is `2/scale` long.
 #[multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2"))]
 pub(super) fn evaluate(powers: &[f64], (start, scale): (f64, f64), times: &[f64], values: &mut [f64]) {
-    let mut batches = values.chunks_exact_mut(BATCH);
-    let time_batches = times.chunks_exact(BATCH);
-    let rest_of_times = time_batches.remainder();
-    for (values, times) in batches.by_ref().zip(time_batches) {
-        evaluate_batch(powers, (start, scale), times, values);
+    in_batches(times, values, start, |times, values| evaluate_batch(powers, (start, scale), times, values));
+}
+
+/// Hands times and values on in batches; the last one is filled up with the time `filler`.
+#[expect(
+    clippy::inline_always,
+    reason = "only what is inlined is compiled for the instruction set chosen at run time"
+)]
+#[inline(always)]
+pub(super) fn in_batches(
+    times: &[f64],
+    values: &mut [f64],
+    filler: f64,
+    each: impl Fn(&[f64; BATCH], &mut [f64; BATCH]),
+) {
+    let (values, rest) = values.as_chunks_mut::<BATCH>();
+    let (times, rest_of_times) = times.as_chunks::<BATCH>();
+    for (times, values) in times.iter().zip(values) {
+        each(times, values);
     }
-    let rest = batches.into_remainder();
-    let (mut some_times, mut some_values) = ([start; BATCH], [0.0; BATCH]);
+    let (mut some_times, mut some_values) = ([filler; BATCH], [0.0; BATCH]);
     some_times[..rest.len()].copy_from_slice(rest_of_times);
-    evaluate_batch(powers, (start, scale), &some_times, &mut some_values);
+    some_values[..rest.len()].copy_from_slice(rest);
+    each(&some_times, &mut some_values);
     rest.copy_from_slice(&some_values[..rest.len()]);
 }
 
@@ -130,7 +144,12 @@ pub(super) fn evaluate(powers: &[f64], (start, scale): (f64, f64), times: &[f64]
     reason = "only what is inlined is compiled for the instruction set chosen at run time"
 )]
 #[inline(always)]
-fn evaluate_batch(powers: &[f64], (start, scale): (f64, f64), times: &[f64], values: &mut [f64]) {
+fn evaluate_batch(
+    powers: &[f64],
+    (start, scale): (f64, f64),
+    times: &[f64; BATCH],
+    values: &mut [f64; BATCH],
+) {
     let (mut points, mut sums) = ([0.0; BATCH], [0.0; BATCH]);
     for i in 0..BATCH {
         points[i] = ((times[i] - start) * scale - 1.0).clamp(-1.0, 1.0);
@@ -140,7 +159,7 @@ fn evaluate_batch(powers: &[f64], (start, scale): (f64, f64), times: &[f64], val
             sums[i] = sums[i] * points[i] + c;
         }
     }
-    values.copy_from_slice(&sums);
+    *values = sums;
 }
 
 /// Values at both ends, s = −1 and s = 1.

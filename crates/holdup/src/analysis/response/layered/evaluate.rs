@@ -1,10 +1,8 @@
 //! Values of a layer at many times.
 
+use super::super::legendre::{BATCH, in_batches};
 use super::signal::LAYER_TERMS;
 use super::tables::INVERSE;
-
-/// Points that are evaluated together.
-const BATCH: usize = 32;
 
 /// Adds `factor` times the layer with these coefficients, of a segment that starts at `start`, to the values at these times.
 pub(in super::super) fn add_layer(
@@ -21,22 +19,11 @@ pub(in super::super) fn add_layer(
         scale *= INVERSE[j + 1];
     }
     let powers = &powers[..layer.len()];
-    let mut batches = values.chunks_exact_mut(BATCH);
-    let time_batches = times.chunks_exact(BATCH);
-    let rest_of_times = time_batches.remainder();
-    for (values, times) in batches.by_ref().zip(time_batches) {
-        add_batch(powers, (start, rate), times, values);
-    }
-    let rest = batches.into_remainder();
-    let (mut some_times, mut some_values) = ([start; BATCH], [0.0; BATCH]);
-    some_times[..rest.len()].copy_from_slice(rest_of_times);
-    some_values[..rest.len()].copy_from_slice(rest);
-    add_batch(powers, (start, rate), &some_times, &mut some_values);
-    rest.copy_from_slice(&some_values[..rest.len()]);
+    in_batches(times, values, start, |times, values| add_batch(powers, (start, rate), times, values));
 }
 
 #[multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2"))]
-fn add_batch(powers: &[f64], (start, rate): (f64, f64), times: &[f64], values: &mut [f64]) {
+fn add_batch(powers: &[f64], (start, rate): (f64, f64), times: &[f64; BATCH], values: &mut [f64; BATCH]) {
     let (mut theta, mut sums) = ([0.0; BATCH], [0.0; BATCH]);
     for i in 0..BATCH {
         theta[i] = (rate * (times[i] - start)).clamp(0.0, 700.0);

@@ -48,11 +48,6 @@ impl Segment<'_> {
         self.rate * self.length
     }
 
-    /// Whether the layers are over within the segment, so that integrals over them may run to infinity.
-    pub(super) fn layers_end_inside(&self) -> bool {
-        has_decayed(self.theta(), self.terms)
-    }
-
     /// Value of a signal at `s`.
     pub(super) fn value(&self, signal: &Signal, s: f64) -> f64 {
         let smooth = signal.smooth.iter().rev().fold(0.0, |sum, c| sum * s + c);
@@ -208,19 +203,6 @@ pub(super) fn layer_at(signal: &Signal, theta: f64, terms: usize) -> f64 {
     let mut sum = 0.0;
     for j in (0..terms).rev() {
         sum = sum * theta * INVERSE[j + 1] + signal.layer[j];
-    }
-    sum * (-theta).exp()
-}
-
-/// Derivative by θ of a signal's layer at `theta`.
-pub(super) fn layer_slope_at(signal: &Signal, theta: f64, terms: usize) -> f64 {
-    if has_decayed(theta, terms) {
-        return 0.0;
-    }
-    let mut sum = 0.0;
-    for j in (0..terms).rev() {
-        let next = if j + 1 < terms { signal.layer[j + 1] } else { 0.0 };
-        sum = sum * theta * INVERSE[j + 1] + (next - signal.layer[j]);
     }
     sum * (-theta).exp()
 }

@@ -39,9 +39,6 @@ pub(super) struct Tables {
     pub(super) layers: [[Poly; LAYER_TERMS]; EDGES.len() - 1],
     /// Legendre series of `θ^i/i!` from each edge to the next.
     pub(super) powers: [[Poly; TERMS]; EDGES.len() - 1],
-    /// Gauss nodes (the positive ones) and weights for the integral of the square of a smooth part.
-    pub(super) nodes: [f64; TERMS / 2],
-    pub(super) weights: [f64; TERMS / 2],
 }
 
 pub(super) static TABLES: LazyLock<Box<Tables>> = LazyLock::new(|| {
@@ -82,7 +79,7 @@ pub(super) static TABLES: LazyLock<Box<Tables>> = LazyLock::new(|| {
         }
         weights
     });
-    let (all_nodes, all_weights, transform) = gauss();
+    let (all_nodes, _, transform) = gauss();
     let piece = |i: usize| (0.5 * (EDGES[i] + EDGES[i + 1]), 0.5 * (EDGES[i + 1] - EDGES[i]));
     let mut layers = [[[0.0; TERMS]; LAYER_TERMS]; EDGES.len() - 1];
     let mut powers = [[[0.0; TERMS]; TERMS]; EDGES.len() - 1];
@@ -102,8 +99,6 @@ pub(super) static TABLES: LazyLock<Box<Tables>> = LazyLock::new(|| {
             }
         }
     }
-    let nodes = std::array::from_fn(|i| all_nodes[TERMS / 2 + i]);
-    let weights = std::array::from_fn(|i| all_weights[TERMS / 2 + i]);
     let areas = std::array::from_fn(|j| if j % 2 == 0 { INVERSE[j + 1] } else { 0.0 });
     let moments_about_middle = std::array::from_fn(|j| if j % 2 == 1 { INVERSE[j + 2] } else { 0.0 });
     Box::new(Tables {
@@ -116,7 +111,5 @@ pub(super) static TABLES: LazyLock<Box<Tables>> = LazyLock::new(|| {
         bounds,
         layers,
         powers,
-        nodes,
-        weights,
     })
 });

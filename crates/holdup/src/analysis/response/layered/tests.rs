@@ -4,9 +4,9 @@ use proptest::prelude::*;
 
 use super::super::measure::Measure;
 use super::super::solver::Solver;
-use super::super::{Integrals, Response, measure_of, response};
+use super::super::{Integrals, Response, Trajectory, measure_of, refill_trajectory, response};
 use super::*;
-use crate::analysis::batch::integrals_over_processes;
+use crate::analysis::batch::{integrals_over_controllers, integrals_over_processes};
 use crate::analysis::metrics::METRICS;
 use crate::model::{ClosedLoop, Controller, Observer, Process, Seconds};
 
@@ -205,7 +205,6 @@ proptest! {
     }
 }
 
-/// Every number of one loop that is alone among others.
 #[test]
 fn many_loops_are_answered_in_their_order_whatever_the_number_of_threads() {
     let controller = pid(2.95, 15.0, 3.0, 33.3);
@@ -228,4 +227,36 @@ fn many_loops_are_answered_in_their_order_whatever_the_number_of_threads() {
         // 1e-12: which series are cut where depends on the other lanes.
         assert!((ours / theirs - 1.0).abs() < 1e-12, "{ours} {theirs}");
     }
+}
+
+#[test]
+fn integrals_over_controllers_are_those_of_each() {
+    let controllers: Vec<Controller> =
+        (0..11).map(|i| pid(1.5 + 0.1 * f64::from(i), 15.0 + f64::from(i), 3.0, 33.3)).collect();
+    let scenario = servo_and_load(200.0, 100.0);
+    let found = integrals_over_controllers(&level(), &controllers, &scenario);
+    for (controller, found) in controllers.iter().zip(&found) {
+        let alone = super::super::integrals(&ClosedLoop::new(&level(), controller), &scenario).unwrap();
+        let (ours, theirs) = (found.as_ref().unwrap().ise.unwrap(), alone.ise.unwrap());
+        // 1e-12: which series are cut where depends on the other lanes.
+        assert!((ours / theirs - 1.0).abs() < 1e-12, "{ours} {theirs}");
+    }
+}
+
+#[test]
+fn a_refilled_trajectory_is_that_of_a_new_one_whatever_was_in_it() {
+    let with_observer = Controller::proportional(1.2).unwrap().with_observer(Observer::new(0.5).unwrap());
+    let loops = [pid(2.95, 15.0, 3.0, 100.0), with_observer].map(|c| ClosedLoop::new(&level(), &c));
+    let scenario = servo_and_load(200.0, 100.0);
+    for times in [vec![0.0, 0.5, 6.01, 99.9, 100.0, 106.02, 200.0], vec![150.0, 3.0, 6.5, 6.5, 0.0]] {
+        let mut reused = Trajectory { time: times.clone(), ..Trajectory::default() };
+        for closed in &loops {
+            let sums = refill_trajectory(closed, &scenario, &mut reused).unwrap();
+            assert_eq!(reused, super::super::trajectory(closed, &scenario, &times).unwrap());
+            assert_eq!(sums, super::super::integrals(closed, &scenario).unwrap());
+        }
+    }
+    let mut outside = Trajectory { time: vec![1.0, 200.5], ..Trajectory::default() };
+    assert!(refill_trajectory(&loops[0], &scenario, &mut outside).is_err());
+    assert_eq!(outside, Trajectory::default());
 }
