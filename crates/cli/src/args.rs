@@ -109,7 +109,7 @@ Examples:
     #[command(after_help = "\
 Examples:
   holdup robust -p K=0.0506,d=6 -c Kc=1.5,Ti=50 --gain 0.8:1.2 --dead-time 0.8:1.2
-  holdup robust -p K=0.0506,d=6 -c Kc=1.5,Ti=50 --max-sensitivity 2 --samples 0
+  holdup robust -p K=0.0506,d=6 -c Kc=1.5,Ti=50 --max-sensitivity 2 --samples 1000
   holdup robust -p K=0.0506,d=6 -c Kc=1.5,Ti=50 --load 0:1 --output runs.parquet --plot band.svg")]
     Robust(RobustArgs),
     /// Recompute every number that a paper prints, and judge each

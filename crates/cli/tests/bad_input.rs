@@ -424,6 +424,7 @@ fn each_fault_of_a_family_or_of_an_optimum_names_option_and_value() {
         (&["robust", "--dead-time", "2:1"], &["--dead-time", "2:1"]),
         (&["robust", "--dead-time", "1"], &["--dead-time", "LOW:HIGH", "0.8:1.2"][..1]),
         (&["robust", "--samples", "1.5"], &["--samples", "1.5"]),
+        (&["robust", "--samples", "0"], &["--samples", "0", "from 1"]),
         (&["robust", "--distribution", "gaussian"], &["--distribution", "gaussian", "normal"]),
         (&["robust", "--output", "runs.xlsx", "--samples", "10"], &["runs.xlsx", ".csv"]),
         (&["robust", "--output", "/nonexistent-holdup/runs.csv"], &["/nonexistent-holdup/runs.csv"]),

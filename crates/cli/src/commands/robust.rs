@@ -47,7 +47,7 @@ pub(crate) struct RobustArgs {
     /// Give also the largest family of this shape that is proven to keep this sensitivity peak
     #[arg(long, value_name = "M_s", allow_hyphen_values = true)]
     pub(crate) max_sensitivity: Option<String>,
-    /// Number of random processes; 0 for the guarantee alone
+    /// Number of random processes
     #[arg(long, value_name = "NUMBER", default_value = "10000", allow_hyphen_values = true)]
     pub(crate) samples: String,
     /// Seed of the random processes
@@ -98,18 +98,14 @@ pub(crate) fn run(args: &RobustArgs, console: Console) -> Result<Answer, Fault> 
         None => None,
     };
     let mut warnings = Vec::new();
-    let summary = if samples == 0 {
-        None
-    } else {
-        let draws = Draws::new(family, distribution, args.seed);
-        let carlo =
-            MonteCarlo { process, controller, draws, samples, scenario: scenario.as_ref(), times: &times };
-        Some(sample(&carlo, args, &mut warnings)?)
-    };
+    let draws = Draws::new(family, distribution, args.seed);
+    let carlo =
+        MonteCarlo { process, controller, draws, samples, scenario: scenario.as_ref(), times: &times };
+    let summary = sample(&carlo, args, &mut warnings)?;
     warnings.extend(sentences(&worst, limit, largest.as_ref()));
     let mut files = Vec::new();
-    if let (Some(path), Some(summary)) = (&args.plot, &summary) {
-        let figure = figure(&times, summary).map_err(Fault::input)?;
+    if let Some(path) = &args.plot {
+        let figure = figure(&times, &summary).map_err(Fault::input)?;
         files.push((path.clone(), figure_file(path, &figure)?));
     }
     let json = json!({
@@ -120,7 +116,7 @@ pub(crate) fn run(args: &RobustArgs, console: Console) -> Result<Answer, Fault> 
             "gain": largest.family.gain(),
             "dead_time": largest.family.dead_time(),
         })),
-        "monte_carlo": summary.as_ref().map(|summary| monte_carlo(args, summary, &times)),
+        "monte_carlo": monte_carlo(args, &summary, &times),
         "warnings": warnings,
     });
     let mut text = String::new();
@@ -135,9 +131,7 @@ pub(crate) fn run(args: &RobustArgs, console: Console) -> Result<Answer, Fault> 
                 range(largest.family.dead_time())
             );
         }
-        if let Some(summary) = &summary {
-            text += &format!("\n{}", sampled(console, summary));
-        }
+        text += &format!("\n{}", sampled(console, &summary));
     }
     Ok(Answer { json, text, warnings, files })
 }
@@ -175,8 +169,8 @@ fn two(option: &str, text: &str) -> Result<[f64; 2], Fault> {
 
 fn samples(text: &str) -> Result<u64, Fault> {
     let value = read_number("--samples", text).map_err(Fault::input)?;
-    if !(0.0..=MOST).contains(&value) || value.fract() != 0.0 {
-        return Err(Fault::option("--samples", format!("{text} must be a whole number from 0 to 1e9")));
+    if !(1.0..=MOST).contains(&value) || value.fract() != 0.0 {
+        return Err(Fault::option("--samples", format!("{text} must be a whole number from 1 to 1e9")));
     }
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked above")]
     Ok(value as u64)
