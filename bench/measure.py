@@ -23,9 +23,9 @@ SCIPY = [PYTHON, str(PEERS / "scipy_numba.py")]
 LOOP = [str(PLACE / "loop")]
 LOOP_STEPS = (600, 1200, 2400, 4800, 9600, 12000, 19200)
 # Why a target is missed, where something is known about it: (work, against) → sentence. To be kept true by hand.
-LAYERS = ("the layers of the filter are carried exactly from dead time to dead time, some 40 coefficients of every signal for "
-          "most of the run; a third of the time is their products in the integrals")
-BUSY = "a processor shared with others: the same run took 0.6 to 1.7 of its least time within minutes"
+LAYERS = ("the layers of the filter are carried exactly from dead time to dead time; by a profile about a fifth of the time is "
+          "integrals of squares, half as much each the states and the sign of the error; with points, half is their evaluation")
+BUSY = "a processor shared with others: the same run took up to 1.8 times its least time within minutes"
 REASONS = {
     ("W1", "python-control, 20 001 points"): LAYERS,
     ("W1", "python-control, metrics only"): LAYERS,
