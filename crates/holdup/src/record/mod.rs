@@ -16,7 +16,7 @@ mod retuning;
 mod samples;
 mod survey;
 mod valve;
-mod wording;
+pub(crate) mod wording;
 
 pub use advice::SafeTest;
 pub use diagnosis::Diagnosis;

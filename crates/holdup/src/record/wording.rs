@@ -5,6 +5,11 @@ pub(crate) fn three(value: f64) -> String {
     with_digits(value, 2)
 }
 
+/// A number of four significant digits, as tables have them.
+pub(crate) fn four(value: f64) -> String {
+    with_digits(value, 3)
+}
+
 /// A number of one more significant digit than `digits`.
 fn with_digits(value: f64, digits: i32) -> String {
     if value == 0.0 || !value.is_finite() {
@@ -24,7 +29,7 @@ fn with_digits(value: f64, digits: i32) -> String {
 pub(crate) fn ends([low, high]: [f64; 2]) -> [String; 2] {
     let width = high - low;
     if !(width > 0.0 && width.is_finite()) {
-        return [with_digits(low, 3), with_digits(high, 3)];
+        return [four(low), four(high)];
     }
     // 0.01 of a decade: a width of exactly 10^k has not fallen below it by rounding.
     #[expect(clippy::cast_possible_truncation, reason = "the exponent of a number")]

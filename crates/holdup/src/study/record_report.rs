@@ -3,6 +3,7 @@
 use super::figures::page::{Column, Page, Section, Table};
 use super::figures::{Axis, Figure, FigureError, Line, Panel, Series, Tone};
 use super::report::ReportError;
+use crate::record::wording::{four, three};
 use crate::record::{Identification, Record, Retuning};
 
 /// Points of a curve at most: a page stays light, and a screen shows no more.
@@ -28,7 +29,7 @@ pub fn record_report(
         let panel = Panel::new(Axis::linear("time [s]"), Axis::linear("load at the process input"))
             .with_series(curve("load", &load.time, &load.load)?);
         let figure = Figure::new("The load that explains the rest", vec![panel])?;
-        let about = format!("Each value is a mean over {:.4} s: faster loads are not seen.", load.window);
+        let about = format!("Each value is a mean over {} s: faster loads are not seen.", three(load.window));
         page = page.with_section(Section::new("Load").with_paragraph(about).with_figure(figure));
     }
     if !answer.diagnosis.findings.is_empty() {
@@ -80,8 +81,8 @@ fn data(record: &Record, answer: &Identification) -> Result<Figure, FigureError>
 fn result(answer: &Identification) -> Result<Table, ReportError> {
     let mut rows = Vec::new();
     let mut add = |name: &str, value: f64, interval: Option<[f64; 2]>| {
-        let [low, high] = interval.map_or_else(Default::default, |ends| ends.map(|end| format!("{end:.4e}")));
-        rows.push(vec![name.to_owned(), format!("{value:.4e}"), low, high]);
+        let [low, high] = interval.map_or_else(Default::default, |ends| ends.map(four));
+        rows.push(vec![name.to_owned(), four(value), low, high]);
     };
     if let (Some(process), Some(confidence)) = (&answer.process, &answer.confidence) {
         add("process gain K", process.process_gain, Some(confidence.process_gain));
@@ -108,12 +109,12 @@ fn result(answer: &Identification) -> Result<Table, ReportError> {
 fn tuning(record: &Record, retuning: &Retuning) -> Result<Section, ReportError> {
     let controller = &retuning.tuning.controller;
     let settings = format!(
-        "{} by {}: Kc = {:.4}{}; {}. Sensitivity peak {} at the best values, {} at the worst of {} points of the joint 95 % \
+        "{} by {}: Kc = {}{}; {}. Sensitivity peak {} at the best values, {} at the worst of {} points of the joint 95 % \
          region (tried, not proven).",
         controller.structure(),
         retuning.tuning.rule,
-        controller.proportional_gain(),
-        controller.integral_time().map_or_else(String::new, |time| format!(", Ti = {time:.4} s")),
+        four(controller.proportional_gain()),
+        controller.integral_time().map_or_else(String::new, |time| format!(", Ti = {} s", four(time))),
         retuning.choice,
         retuning.nominal.sensitivity_peak.map_or_else(|| "–".to_owned(), |peak| format!("{peak:.3}")),
         retuning.worst.sensitivity_peak.map_or_else(|| "unstable".to_owned(), |peak| format!("{peak:.3}")),
@@ -129,9 +130,7 @@ fn tuning(record: &Record, retuning: &Retuning) -> Result<Section, ReportError> 
         output = output.with_series(curve(name, time, &replay.controlled_variable)?);
         input = input.with_series(curve(name, time, &replay.manipulated_variable)?.held());
         let values = [replay.standard_deviation, replay.peak, replay.travel];
-        rows.push(
-            std::iter::once(name.to_owned()).chain(values.map(|value| format!("{value:.4}"))).collect(),
-        );
+        rows.push(std::iter::once(name.to_owned()).chain(values.map(four)).collect());
     }
     let columns = ["the same load again", "error, std. dev.", "peak", "valve travel"];
     let columns = columns
