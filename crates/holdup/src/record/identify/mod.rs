@@ -1,5 +1,6 @@
 //! Gain, dead time and lag of the process from a record.
 
+mod even;
 mod input;
 mod joint;
 mod kind;

@@ -1,0 +1,67 @@
+//! What the input's integral is by itself at every lag.
+
+use super::sums::own_sums;
+
+/// Sums over the input's integral, outside initial value and constant load.
+pub(super) struct Own {
+    /// Squares at every lag from 0 on.
+    pub(super) squares: Vec<f64>,
+    /// Products with the integral at the next lag, one fewer.
+    pub(super) neighbour: Vec<f64>,
+    /// Bound of the sum of squares by which the column changes from lag to lag.
+    change: f64,
+}
+
+/// Of the window at one lag: sum, moment about its middle, squares, and products with the window at the next lag.
+type Place = [f64; 4];
+
+impl Own {
+    /// `integral` begins `lags` rows before the input.
+    #[expect(clippy::cast_precision_loss, reason = "a number of rows")]
+    pub(super) fn new(integral: &[f64], input: &[f64], mean: f64, lags: usize) -> Self {
+        let rows = input.len();
+        let half = (rows as f64 - 1.0) / 2.0;
+        let ([mut sum, mut moment, mut squares, mut neighbour], change) =
+            own_sums(&integral[lags..], &integral[lags - 1..], input, mean);
+        let mut places: Vec<Place> = Vec::with_capacity(lags + 1);
+        // From lag to lag one value enters at the front of the window, one leaves at its end.
+        let ends = || integral[..lags].iter().zip(&integral[rows..rows + lags]).rev();
+        let nexts = ends().skip(1).chain([(&0.0, &0.0)]);
+        places.extend(ends().zip(nexts).map(|((enters, leaves), (next_enters, next_leaves))| {
+            let place = [sum, moment, squares, neighbour];
+            moment += sum - (leaves * (half + 1.0) + enters * half);
+            sum += enters - leaves;
+            squares += enters * enters - leaves * leaves;
+            neighbour += enters * next_enters - leaves * next_leaves;
+            place
+        }));
+        places.push([sum, moment, squares, 0.0]);
+        let (squares, neighbour) = outside(&places, rows as f64);
+        Self { squares, neighbour, change: change + (lags + 1) as f64 * (input[0] - mean).powi(2) }
+    }
+
+    /// No column between these lags has a smaller sum of squares. Between two lags it is a parabola that bends by the
+    /// squares of the change.
+    pub(super) fn least(&self, from: usize, to: usize) -> f64 {
+        let least = self.squares[from..=to].iter().fold(f64::INFINITY, |least, &squares| least.min(squares));
+        least - self.change / 4.0
+    }
+}
+
+/// Squares and products with the neighbour outside the mean and the straight line of so many rows.
+#[multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2"))]
+fn outside(places: &[Place], rows: f64) -> (Vec<f64>, Vec<f64>) {
+    let (per_row, per_spread) = (1.0 / rows, 12.0 / (rows * (rows * rows - 1.0)));
+    let squares = places
+        .iter()
+        .map(|[sum, moment, squares, _]| squares - sum * sum * per_row - moment * moment * per_spread)
+        .collect();
+    let neighbour = places
+        .iter()
+        .zip(&places[1..])
+        .map(|([sum, moment, _, with], [next_sum, next_moment, ..])| {
+            with - sum * next_sum * per_row - moment * next_moment * per_spread
+        })
+        .collect();
+    (squares, neighbour)
+}
