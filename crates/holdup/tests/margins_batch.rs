@@ -2,7 +2,10 @@
 
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
-use holdup::analysis::batch::{ManyMargins, Robustness, margins_of_controllers, margins_of_processes};
+use holdup::analysis::batch::{
+    ManyMargins, Robustness, margins_of_controllers, margins_of_processes, robustness_of_controllers,
+    robustness_of_processes,
+};
 use holdup::analysis::frequency::margins;
 use holdup::model::{ClosedLoop, Controller, Process, Seconds};
 use rand::{Rng, RngExt, SeedableRng};
@@ -55,23 +58,28 @@ fn agree(fast: &Robustness, exact: &Robustness) -> bool {
         && close(fast.sensitivity_peak, exact.sensitivity_peak)
 }
 
-/// Compares all; returns the share analysed one by one.
-fn check(process: &Process, settings: &[Settings]) -> f64 {
+/// Compares all; returns the shares analysed one by one, without and with the complementary sensitivity.
+fn check(process: &Process, settings: &[Settings]) -> [f64; 2] {
     let controllers: Vec<Controller> = settings.iter().map(|s| s.controller(process)).collect();
     let found = margins_of_controllers(process, &controllers);
-    let differs = |((settings, controller), fast): ((&Settings, &Controller), &_)| -> Option<String> {
-        let exact = margins(&ClosedLoop::new(process, controller)).map(|exact| Robustness::from(&exact));
-        let same = match (fast, &exact) {
-            (Ok(fast), Ok(exact)) => agree(fast, exact),
-            (fast, exact) => fast == exact,
+    let both = robustness_of_controllers(process, &controllers);
+    let differs =
+        |(((settings, controller), fast), both): (((&Settings, &Controller), &_), &_)| -> Option<String> {
+            let exact = margins(&ClosedLoop::new(process, controller)).map(|exact| Robustness::from(&exact));
+            let same = match (fast, both, &exact) {
+                (Ok(fast), Ok(both), Ok(exact)) => {
+                    let peaks = [both, exact].map(|found| found.complementary_sensitivity_peak);
+                    agree(fast, exact) && agree(both, exact) && close(peaks[0], peaks[1])
+                }
+                (fast, both, exact) => fast == exact && both == exact,
+            };
+            (!same).then(|| format!("{settings:?}\n  {fast:?}\n  {both:?}\n  {exact:?}\n"))
         };
-        (!same).then(|| format!("{settings:?}\n  {fast:?}\n  {exact:?}\n"))
-    };
-    let loops = settings.par_iter().zip(&controllers).zip(&found.loops);
+    let loops = settings.par_iter().zip(&controllers).zip(&found.loops).zip(&both.loops);
     let different: Vec<String> = loops.filter_map(differs).collect();
     assert!(different.is_empty(), "{}", different.concat());
     #[expect(clippy::cast_precision_loss, reason = "a few thousand")]
-    let share = found.one_by_one as f64 / settings.len() as f64;
+    let share = [found, both].map(|found| found.one_by_one as f64 / settings.len() as f64);
     share
 }
 
@@ -97,9 +105,11 @@ fn random_loops_of_every_structure_have_the_margins_of_the_exact_analysis() {
             })
             .collect();
         let share = check(&process(), &settings);
-        println!("{structure}: {:.2} % one by one", 100.0 * share);
+        println!("{structure}: {:.2} % one by one, with M_t {:.2} %", 100.0 * share[0], 100.0 * share[1]);
         // Those next to instability, with 2·Td > Ti, with a lower gain margin, or neutral with K·Kc·Td about 1.
-        assert!(share < 0.1, "{structure}: {share}");
+        assert!(share[0] < 0.1, "{structure}: {share:?}");
+        // Without integral action M_t may be 1, at rest.
+        assert!(share[1] < 0.15 || !structure.contains('I'), "{structure}: {share:?}");
     }
 }
 
@@ -179,6 +189,12 @@ fn margins_of_processes_are_those_of_each_in_any_order_and_number_of_threads() {
     let processes: Vec<Process> =
         (0..2000).map(|_| process().perturbed(factor(), factor()).unwrap()).collect();
     let found = margins_of_processes(&processes, &controller);
+    let both = robustness_of_processes(&processes, &controller);
+    for (found, both) in found.loops.iter().zip(&both.loops) {
+        let (found, both) = (found.unwrap(), both.unwrap());
+        assert!(found.complementary_sensitivity_peak.is_none() && agree(&found, &both));
+        assert_eq!(both.complementary_sensitivity_peak.is_some(), both.stable);
+    }
     for (process, fast) in processes.iter().zip(&found.loops) {
         let exact = margins(&ClosedLoop::new(process, &controller)).unwrap();
         assert!(agree(fast.as_ref().unwrap(), &Robustness::from(&exact)), "{process:?}");

@@ -53,14 +53,15 @@ pub(super) struct Turned {
     pub(super) w: [f64; 3],
 }
 
-/// R = |1 + L|² = 1 + k·Y/E at one frequency.
+/// R = 1 + q·A/B at one frequency: |1 + L|² with q = k, A = k·N − 2V, B = E, or |1 + 1/L|² with q = 1/k, A = E/k − 2V,
+/// B = N, where N = n₀/x + n₁ + n₂x.
 #[derive(Clone, Copy)]
 pub(super) struct Distance {
     /// R.
     pub(super) squared: f64,
-    /// E.
-    pub(super) e: f64,
-    /// Z = Y'·E − Y·E', of the sign of R'.
+    /// q/B², by which Z is the slope of R.
+    pub(super) scale: f64,
+    /// Z = A'·B − A·B', of the sign of R'.
     pub(super) z: f64,
     /// Z'.
     pub(super) dz: f64,
@@ -187,19 +188,26 @@ impl Form {
         }
     }
 
-    /// R and its slope.
+    /// R and its slope: of the complementary sensitivity, or of the sensitivity.
     #[inline(always)]
-    pub(super) fn distance(&self, omega: f64, v: &[f64; 3]) -> Distance {
+    pub(super) fn distance<const COMPLEMENTARY: bool>(&self, omega: f64, v: &[f64; 3]) -> Distance {
         let ([n0, n1, n2], [e1, e2]) = (self.n, self.e);
         let x = omega * omega;
         let inverse = 1.0 / x;
         let e = x * (1.0 + x * (e1 + x * e2));
         let de = omega * (2.0 + x * (4.0 * e1 + 6.0 * x * e2));
         let dde = 2.0 + x * (12.0 * e1 + 30.0 * x * e2);
-        let over = self.k * n0 * inverse;
-        let y = over + self.k * (n1 + n2 * x) - 2.0 * v[0];
-        let dy = 2.0 * omega * (self.k * n2 - over * inverse) - 2.0 * v[1];
-        let ddy = 6.0 * over * inverse + 2.0 * self.k * n2 - 2.0 * v[2];
-        Distance { squared: 1.0 + self.k * y / e, e, z: dy * e - y * de, dz: ddy * e - y * dde }
+        let over = n0 * inverse;
+        let n = over + (n1 + n2 * x);
+        let dn = 2.0 * omega * (n2 - over * inverse);
+        let ddn = 6.0 * over * inverse + 2.0 * n2;
+        let ((q, a, da, dda), (b, db, ddb)) = if COMPLEMENTARY {
+            let q = 1.0 / self.k;
+            ((q, q * e, q * de, q * dde), (n, dn, ddn))
+        } else {
+            ((self.k, self.k * n, self.k * dn, self.k * ddn), (e, de, dde))
+        };
+        let (a, da, dda) = (a - 2.0 * v[0], da - 2.0 * v[1], dda - 2.0 * v[2]);
+        Distance { squared: 1.0 + q * a / b, scale: q / (b * b), z: da * b - a * db, dz: dda * b - a * ddb }
     }
 }

@@ -20,6 +20,8 @@ pub(super) struct Answers {
     pub(super) gain: Lanes,
     /// Sensitivity peak.
     pub(super) peak: Lanes,
+    /// Complementary sensitivity peak, where it is asked for; else 0.
+    pub(super) complementary_peak: Lanes,
 }
 
 /// How much is done for each answer.
@@ -34,21 +36,21 @@ pub(super) struct Effort {
     pub(super) stride: usize,
 }
 
-/// The answers for these loops by few steps and the coarse mesh.
-pub(super) fn quick(settings: &Settings) -> Answers {
-    block(settings, &COARSE, &Effort { gain: 3, phase: 2, peak: 2, stride: 2 })
+/// The answers for these loops by few steps and the coarse mesh; with both peaks, or that of the sensitivity alone.
+pub(super) fn quick(settings: &Settings, both: bool) -> Answers {
+    block(settings, &COARSE, &Effort { gain: 3, phase: 2, peak: 2, stride: 2 }, both)
 }
 
 /// The answers by more steps, from closer starts, on the fine mesh.
-pub(super) fn thorough(settings: &Settings) -> Answers {
-    block(settings, &FINE, &Effort { gain: 12, phase: 8, peak: 2, stride: 2 })
+pub(super) fn thorough(settings: &Settings, both: bool) -> Answers {
+    block(settings, &FINE, &Effort { gain: 12, phase: 8, peak: 2, stride: 2 }, both)
 }
 
 #[multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2"))]
-fn block(settings: &Settings, mesh: &Mesh, effort: &Effort) -> Answers {
+fn block(settings: &Settings, mesh: &Mesh, effort: &Effort, both: bool) -> Answers {
     let forms = Forms::new(settings);
     let at = Crossovers::new(&forms, effort);
-    let peaks = Peaks::new(&forms, &at, mesh, effort);
+    let peaks = Peaks::new::<false>(&forms, &at, mesh, effort);
     let mut answers = Answers {
         decided: at.decided,
         proven: peaks.proven,
@@ -56,10 +58,18 @@ fn block(settings: &Settings, mesh: &Mesh, effort: &Effort) -> Answers {
         delay: [0.0; WIDTH],
         gain: at.margin,
         peak: [0.0; WIDTH],
+        complementary_peak: [0.0; WIDTH],
     };
     for i in 0..WIDTH {
         answers.delay[i] = at.phase[i] / at.gain[i];
         answers.peak[i] = 1.0 / peaks.squared[i].sqrt();
+    }
+    if both {
+        let peaks = Peaks::new::<true>(&forms, &at, mesh, effort);
+        for i in 0..WIDTH {
+            answers.proven[i] *= peaks.proven[i];
+            answers.complementary_peak[i] = 1.0 / peaks.squared[i].sqrt();
+        }
     }
     answers
 }

@@ -19,6 +19,7 @@ const NOTHING: Robustness = Robustness {
     phase_margin: None,
     delay_margin: None,
     sensitivity_peak: None,
+    complementary_sensitivity_peak: None,
 };
 
 /// The numbers of [`Margins`] that tell how robust a loop is; of an unstable loop they are `None`.
@@ -37,6 +38,9 @@ pub struct Robustness {
     pub delay_margin: Option<Seconds>,
     /// Sensitivity peak `M_s` [–], as [`Margins::sensitivity_peak`].
     pub sensitivity_peak: Option<f64>,
+    /// Complementary sensitivity peak `M_t` [–], as [`Margins::complementary_sensitivity_peak`]; `None` also where only the
+    /// margins and `M_s` were asked for.
+    pub complementary_sensitivity_peak: Option<f64>,
 }
 
 impl From<&Margins> for Robustness {
@@ -48,6 +52,7 @@ impl From<&Margins> for Robustness {
             phase_margin: margins.phase_margin,
             delay_margin: margins.delay_margin,
             sensitivity_peak: margins.sensitivity_peak,
+            complementary_sensitivity_peak: margins.complementary_sensitivity_peak,
         }
     }
 }
@@ -65,7 +70,7 @@ pub struct ManyMargins {
     pub one_by_one: usize,
 }
 
-/// The margins of each of these controllers on one process.
+/// The margins and the sensitivity peak of each of these controllers on one process.
 ///
 /// Each result agrees with that of [`margins`] to 1e-9 (relative). Fast, some million loops a second and core, are
 /// loops of an integrator with or without lag under P, PI, PD or PID control with 2·Td < Ti and the
@@ -86,7 +91,7 @@ pub struct ManyMargins {
 /// ```
 #[must_use]
 pub fn margins_of_controllers(process: &Process, controllers: &[Controller]) -> ManyMargins {
-    many(controllers.len(), |i| (process, &controllers[i]))
+    many(controllers.len(), |i| (process, &controllers[i]), false)
 }
 
 /// The margins of one controller on each of these processes; see [`margins_of_controllers`].
@@ -104,7 +109,44 @@ pub fn margins_of_controllers(process: &Process, controllers: &[Controller]) -> 
 /// ```
 #[must_use]
 pub fn margins_of_processes(processes: &[Process], controller: &Controller) -> ManyMargins {
-    many(processes.len(), |i| (&processes[i], controller))
+    many(processes.len(), |i| (&processes[i], controller), false)
+}
+
+/// As [`margins_of_controllers`], with the peaks of sensitivity and complementary sensitivity.
+///
+/// Where `M_t` is that of low frequencies, 1, as with little proportional action alone, a loop is analysed by itself.
+///
+/// ```
+/// use holdup::analysis::batch::robustness_of_controllers;
+/// use holdup::model::{Controller, Process, Seconds};
+/// let process = Process::integrating(0.0506, Seconds(6.0))?;
+/// let pi = Controller::proportional(1.6)?.with_integral_time(Seconds(48.0))?;
+/// let found = robustness_of_controllers(&process, &[pi]).loops[0]?;
+/// assert!(found.complementary_sensitivity_peak < found.sensitivity_peak);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[must_use]
+pub fn robustness_of_controllers(process: &Process, controllers: &[Controller]) -> ManyMargins {
+    many(controllers.len(), |i| (process, &controllers[i]), true)
+}
+
+/// As [`margins_of_processes`], with the peaks of sensitivity and complementary sensitivity; see
+/// [`robustness_of_controllers`].
+///
+/// ```
+/// use holdup::analysis::batch::robustness_of_processes;
+/// use holdup::model::{Controller, Process, Seconds};
+/// let pi = Controller::proportional(1.6)?.with_integral_time(Seconds(48.0))?;
+/// let nominal = Process::integrating(0.0506, Seconds(6.0))?;
+/// let found = robustness_of_processes(&[nominal, nominal.perturbed(1.2, 1.2)?], &pi);
+/// let peaks: Vec<_> =
+///     found.loops.iter().flatten().filter_map(|found| found.complementary_sensitivity_peak).collect();
+/// assert!(peaks[0] < peaks[1]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[must_use]
+pub fn robustness_of_processes(processes: &[Process], controller: &Controller) -> ManyMargins {
+    many(processes.len(), |i| (&processes[i], controller), true)
 }
 
 /// One result.
@@ -117,11 +159,15 @@ struct Left {
     alone: u32,
 }
 
-fn many<'a>(count: usize, of: impl Fn(usize) -> (&'a Process, &'a Controller) + Sync) -> ManyMargins {
+fn many<'a>(
+    count: usize,
+    of: impl Fn(usize) -> (&'a Process, &'a Controller) + Sync,
+    both: bool,
+) -> ManyMargins {
     let (mut blocks, mut left): (Vec<[Found; WIDTH]>, Vec<Left>) = (Vec::new(), Vec::new());
     let quick = |block: usize| {
         let first = block * WIDTH;
-        quick(WIDTH.min(count - first), |lane| of(first + lane))
+        quick(WIDTH.min(count - first), |lane| of(first + lane), both)
     };
     let all = (0..count.div_ceil(WIDTH)).into_par_iter().with_min_len(SHARE);
     all.map(quick).unzip_into_vecs(&mut blocks, &mut left);
@@ -136,7 +182,7 @@ fn many<'a>(count: usize, of: impl Fn(usize) -> (&'a Process, &'a Controller) + 
         left.iter().enumerate().flat_map(of_block).collect()
     };
     let (again, mut alone) = (places(|left| left.again), places(|left| left.alone));
-    let thorough = |block: &[usize]| thorough(block, &of);
+    let thorough = |block: &[usize]| thorough(block, &of, both);
     let closer: Vec<Option<Robustness>> = again.par_chunks(WIDTH).flat_map_iter(thorough).collect();
     for (&place, found) in again.iter().zip(closer) {
         match found {
@@ -146,7 +192,10 @@ fn many<'a>(count: usize, of: impl Fn(usize) -> (&'a Process, &'a Controller) + 
     }
     let exact = |&place: &usize| {
         let (process, controller) = of(place);
-        margins(&ClosedLoop::new(process, controller)).map(|margins| Robustness::from(&margins))
+        let found =
+            margins(&ClosedLoop::new(process, controller)).map(|margins| Robustness::from(&margins))?;
+        let complementary = found.complementary_sensitivity_peak.filter(|_| both);
+        Ok(Robustness { complementary_sensitivity_peak: complementary, ..found })
     };
     let found: Vec<Found> = alone.par_iter().map(exact).collect();
     for (&place, found) in alone.iter().zip(found) {
@@ -156,13 +205,17 @@ fn many<'a>(count: usize, of: impl Fn(usize) -> (&'a Process, &'a Controller) + 
 }
 
 /// The answers of a block, so many of them, by few steps.
-fn quick<'a>(width: usize, of: impl Fn(usize) -> (&'a Process, &'a Controller)) -> ([Found; WIDTH], Left) {
+fn quick<'a>(
+    width: usize,
+    of: impl Fn(usize) -> (&'a Process, &'a Controller),
+    both: bool,
+) -> ([Found; WIDTH], Left) {
     let (mut settings, mut left) = (Settings::default(), Left::default());
     for lane in 0..width {
         let (process, controller) = of(lane);
         left.alone |= u32::from(!settings.set(lane, process, controller)) << lane;
     }
-    let answers = kernel::quick(&settings);
+    let answers = kernel::quick(&settings, both);
     let mut found = [Ok(NOTHING); WIDTH];
     for lane in 0..width {
         match robustness(&answers, lane, settings.dead_time[lane]) {
@@ -178,13 +231,14 @@ fn quick<'a>(width: usize, of: impl Fn(usize) -> (&'a Process, &'a Controller)) 
 fn thorough<'a>(
     places: &[usize],
     of: &impl Fn(usize) -> (&'a Process, &'a Controller),
+    both: bool,
 ) -> Vec<Option<Robustness>> {
     let mut settings = Settings::default();
     for (lane, &place) in places.iter().enumerate() {
         let (process, controller) = of(place);
         settings.set(lane, process, controller);
     }
-    let answers = kernel::thorough(&settings);
+    let answers = kernel::thorough(&settings, both);
     (0..places.len()).map(|lane| robustness(&answers, lane, settings.dead_time[lane])).collect()
 }
 
@@ -203,5 +257,6 @@ fn robustness(answers: &Answers, lane: usize, dead_time: f64) -> Option<Robustne
         phase_margin: Some(Radians(answers.phase[lane])),
         delay_margin: Some(Seconds(answers.delay[lane] * dead_time)),
         sensitivity_peak: Some(answers.peak[lane]),
+        complementary_sensitivity_peak: Some(answers.complementary_peak[lane]).filter(|peak| *peak > 0.0),
     })
 }

@@ -6,7 +6,8 @@
 //! [`over_processes`] and [`over_controllers`] simulate each loop. [`integrals_over_processes`] and
 //! [`integrals_over_controllers`] find the four integrals alone, eight loops in a vector where the same happens to them in
 //! the same order; which loops go together depends on the slice, and with it the last digits. [`margins_of_processes`] and
-//! [`margins_of_controllers`] find the margins of the plain shapes in vector lanes, on the instruction set of the machine
+//! [`margins_of_controllers`] find the margins of the plain shapes in vector lanes (with
+//! [`robustness_of_processes`] and [`robustness_of_controllers`] the complementary sensitivity peak beside them), on the instruction set of the machine
 //! that runs them, and give an answer only where it is proven to be that of the exact analysis; the others are analysed
 //! one by one.
 
@@ -30,5 +31,8 @@ mod peak;
 mod response;
 
 pub use integrals::{integrals_over_controllers, integrals_over_processes};
-pub use margins::{ManyMargins, Robustness, margins_of_controllers, margins_of_processes};
+pub use margins::{
+    ManyMargins, Robustness, margins_of_controllers, margins_of_processes, robustness_of_controllers,
+    robustness_of_processes,
+};
 pub use response::{over_controllers, over_processes};

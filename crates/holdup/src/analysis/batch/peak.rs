@@ -1,7 +1,8 @@
 //! The sensitivity peak of loops in the normal form, with proof that it is the highest.
 //!
 //! |1 + L|² ≥ r² is G ≥ 0 with `G = U − V`, `U = (1 − r²)·E/(2k) + k·(n₀/x + n₁ + n₂x)/2`, V = Re (c + j·d)e^(−jω).
-//! Below the frequency where |L| = 1 + r and above the phase crossover it holds because |L| falls. Between them lie the
+//! Of the complementary sensitivity, |1 + 1/L|² ≥ r² is G ≥ 0 with `U = E/(2k) + (1 − r²)·k·(n₀/x + n₁ + n₂x)/2`.
+//! Below the frequency where |L| = 1 + r (or |L| = 1/(1 − r)) and above the phase crossover it holds because |L| falls. Between them lie the
 //! cells of a fixed mesh of x. G and its second derivative by x are linear in the loop's coefficients, with tabulated
 //! functions of x; on a cell the second derivative is within a tabulated bound of the straight line between its ends.
 //!
@@ -17,9 +18,9 @@ use super::mesh::{FUNCTIONS, Mesh, Node, ROUNDING, WEIGHTS, single};
 /// The least |1 + L|² beyond which the peak is searched for: nearer to −1 the difference loses digits.
 const LEAST: f64 = 1e-4;
 
-/// Least |1 + L|² of so many loops.
+/// Least |1 + L|², or |1 + 1/L|², of so many loops.
 pub(super) struct Peaks {
-    /// The least |1 + L|².
+    /// The least of it.
     pub(super) squared: Lanes,
     /// Where it is, in radians per dead time.
     pub(super) omega: Lanes,
@@ -49,12 +50,17 @@ struct Excess {
 impl Peaks {
     /// Newton's method from the best place of the mesh, then the proof.
     #[inline(always)]
-    pub(super) fn new(forms: &Forms, at: &Crossovers, mesh: &Mesh, effort: &Effort) -> Self {
-        let mut omega = start(forms, at, mesh, effort.stride);
+    pub(super) fn new<const COMPLEMENTARY: bool>(
+        forms: &Forms,
+        at: &Crossovers,
+        mesh: &Mesh,
+        effort: &Effort,
+    ) -> Self {
+        let mut omega = start::<COMPLEMENTARY>(forms, at, mesh, effort.stride);
         for _ in 0..effort.peak {
             for i in 0..WIDTH {
                 let form = forms.one(i);
-                let distance = form.distance(omega[i], &form.turned(omega[i]).v);
+                let distance = form.distance::<COMPLEMENTARY>(omega[i], &form.turned(omega[i]).v);
                 let most = 0.3 * omega[i];
                 // Uphill is left, downhill right: away from a maximum by the longest step.
                 let step =
@@ -65,32 +71,38 @@ impl Peaks {
         let (mut squared, mut proven) = ([0.0; WIDTH], [0.0; WIDTH]);
         for i in 0..WIDTH {
             let form = forms.one(i);
-            let distance = form.distance(omega[i], &form.turned(omega[i]).v);
+            let distance = form.distance::<COMPLEMENTARY>(omega[i], &form.turned(omega[i]).v);
             let step = distance.z / distance.dz;
             // The parabola's minimum lies lower by `less`; the cubic term that it neglects is `less` times the relative step.
-            let less = 0.5 * form.k * step * distance.z / (distance.e * distance.e);
+            let less = 0.5 * distance.scale * step * distance.z;
             squared[i] = distance.squared - less;
             let settled = (distance.dz > 0.0) & (less * step.abs() <= 1e-11 * omega[i] * squared[i]);
             let near = step.abs() <= 1e-3 * omega[i];
             omega[i] -= step;
-            // At the phase crossover |1 + L| is 1 − |L|, and greater above.
+            // At the phase crossover |1 + L| is 1 − |L|, and |1 + 1/L| is 1/|L| − 1; above they are greater.
             let below = at.margin[i] - 1.0;
-            let ordinary = (squared[i] > LEAST) & (squared[i] * at.margin[i] * at.margin[i] < below * below);
+            let there = if COMPLEMENTARY { squared[i] } else { squared[i] * at.margin[i] * at.margin[i] };
+            let ordinary = (squared[i] > LEAST) & (there < below * below);
             proven[i] =
                 flag(settled & near & ordinary) * at.proven[i] * at.decided[i] * flag(at.phase[i] > 0.0);
         }
         let mut peaks = Self { squared, omega, proven };
         if forms.lag {
-            peaks.prove::<true>(forms, at, mesh);
+            peaks.prove::<true, COMPLEMENTARY>(forms, at, mesh);
         } else {
-            peaks.prove::<false>(forms, at, mesh);
+            peaks.prove::<false, COMPLEMENTARY>(forms, at, mesh);
         }
         peaks
     }
 
     #[inline(always)]
-    fn prove<const LAG: bool>(&mut self, forms: &Forms, at: &Crossovers, mesh: &Mesh) {
-        let excess = Excess::new(forms, at, self);
+    fn prove<const LAG: bool, const COMPLEMENTARY: bool>(
+        &mut self,
+        forms: &Forms,
+        at: &Crossovers,
+        mesh: &Mesh,
+    ) {
+        let excess = Excess::new::<COMPLEMENTARY>(forms, at, self);
         let (mut least, mut most) = (f32::INFINITY, 0.0_f32);
         for i in 0..WIDTH {
             least = least.min(excess.from[i]);
@@ -136,20 +148,22 @@ impl Peaks {
             }
         }
         for i in 0..WIDTH {
-            let closed = (open[i] + waiting[i] == 0.0) & (excess.from[i] >= nodes[0].x);
+            let from = excess.from[i];
+            let closed = (open[i] + waiting[i] == 0.0) & (from >= nodes[0].x) & (from < f32::INFINITY);
             self.proven[i] *= flag(closed);
         }
     }
 }
 
-/// The place of the mesh, of every `stride`-th, where |1 + L| is least, refined by the parabola through its neighbours.
+/// The place of the mesh, of every `stride`-th, where |1 + L|, or |1 + 1/L|, is least, refined by the parabola through its neighbours.
 #[inline(always)]
-fn start(forms: &Forms, at: &Crossovers, mesh: &Mesh, stride: usize) -> Lanes {
+fn start<const COMPLEMENTARY: bool>(forms: &Forms, at: &Crossovers, mesh: &Mesh, stride: usize) -> Lanes {
     let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
     let mut from = [0.0; WIDTH];
     for i in 0..WIDTH {
         let live = at.proven[i] > 0.0;
-        let half = 0.5 * at.gain[i];
+        // The complementary sensitivity of a slow integral action is highest far below the crossover.
+        let half = if COMPLEMENTARY { 0.1 } else { 0.5 } * at.gain[i];
         from[i] = single(half * half);
         least = least.min(if live { half } else { f64::INFINITY });
         most = most.max(if live { at.turned[i] } else { 0.0 });
@@ -176,8 +190,9 @@ fn start(forms: &Forms, at: &Crossovers, mesh: &Mesh, stride: usize) -> Lanes {
                 + c2[i] * values[3]
                 + d0[i] * values[4]
                 + d1[i] * values[5];
-            let y = k[i] * (n0[i] * values[0] + n1[i] + n2[i] * x) - 2.0 * v;
-            let value = y / (x * (1.0 + x * (e1[i] + x * e2[i])));
+            let n = n0[i] * values[0] + n1[i] + n2[i] * x;
+            let e = x * (1.0 + x * (e1[i] + x * e2[i]));
+            let value = if COMPLEMENTARY { (e / k[i] - 2.0 * v) / n } else { (k[i] * n - 2.0 * v) / e };
             let better = (value < best[i]) & (x >= from[i]) & (x < to[i]);
             let beside = place[i] == last_place;
             after[i] = if beside { value } else { after[i] };
@@ -206,7 +221,7 @@ fn start(forms: &Forms, at: &Crossovers, mesh: &Mesh, stride: usize) -> Lanes {
 
 impl Excess {
     #[inline(always)]
-    fn new(forms: &Forms, at: &Crossovers, peaks: &Peaks) -> Self {
+    fn new<const COMPLEMENTARY: bool>(forms: &Forms, at: &Crossovers, peaks: &Peaks) -> Self {
         let none = [0.0; WIDTH];
         let mut excess = Self {
             powers: [none; 4],
@@ -219,8 +234,9 @@ impl Excess {
         };
         for i in 0..WIDTH {
             let Form { k, n: [n0, n1, n2], c: [c0, c1, c2], d: [d0, d1], e: [e1, e2] } = forms.one(i);
-            let share = 0.5 * (1.0 - peaks.squared[i]) / k;
-            let half = 0.5 * k;
+            let below = 1.0 - peaks.squared[i];
+            let (share, half) =
+                if COMPLEMENTARY { (0.5 / k, 0.5 * below * k) } else { (0.5 * below / k, 0.5 * k) };
             let powers = [half * n1, share + half * n2, share * e1, share * e2];
             let over = half * n0;
             for (power, value) in powers.into_iter().enumerate() {
@@ -232,10 +248,11 @@ impl Excess {
                 weight += f64::from(WEIGHTS[function]) * value.abs();
             }
             excess.weight[i] = single(weight * (1.0 + ROUNDING));
-            // |L| ≥ 1 + r at least where it is so with the E/x of the gain crossover, which is greater than that below.
+            // |L| ≥ 1 + r, or 1/(1 − r), at least where it is so with the E/x of the gain crossover, which is greater than that below.
             let crossover = at.gain[i] * at.gain[i];
             let factor = 1.0 + crossover * (e1 + crossover * e2);
-            let far = 1.0 + peaks.squared[i].sqrt();
+            let least = peaks.squared[i].sqrt();
+            let far = if COMPLEMENTARY { 1.0 / (1.0 - least) } else { 1.0 + least };
             let square = k * k;
             let rest = single(far * far * factor - square * n2);
             let (linear, constant) = (single(square * n1), single(square * n0));
@@ -246,7 +263,7 @@ impl Excess {
             let size = powers[0] + 10.0 * (powers[1] + 10.0 * (powers[2] + 10.0 * powers[3]));
             let turned = c0 + 10.0 * (c1.abs() + 10.0 * c2.abs() + d0.abs() + 10.0 * d1.abs());
             excess.grain[i] = single(ROUNDING * (size + turned)) + single(ROUNDING * over) / from;
-            let live = peaks.proven[i] > 0.0;
+            let live = (peaks.proven[i] > 0.0) & (below > 0.0);
             excess.from[i] = if live { from } else { f32::INFINITY };
             excess.to[i] = if live { single(to) } else { 0.0 };
             excess.minimum[i] = single(peaks.omega[i] * peaks.omega[i]);

@@ -8,7 +8,8 @@ use thiserror::Error;
 
 use super::draws::Draws;
 use super::quantiles::Quantiles;
-use crate::analysis::frequency::{FrequencyError, Margins, margins};
+use crate::analysis::batch::{Robustness, robustness_of_processes};
+use crate::analysis::frequency::FrequencyError;
 use crate::analysis::metrics::{METRICS, Metrics};
 use crate::analysis::response::{Scenario, simulate, trajectory};
 use crate::model::{ClosedLoop, Controller, ModelError, Process};
@@ -38,8 +39,8 @@ pub struct Run {
     pub index: u64,
     /// The process.
     pub process: Process,
-    /// Margins, broken at the process input.
-    pub margins: Margins,
+    /// Margins and peaks, broken at the process input.
+    pub margins: Robustness,
     /// Metrics of the scenario, where one is given and its response is in reach.
     pub metrics: Option<Metrics>,
     /// The controlled variable at the times asked for; empty without them or out of reach.
@@ -146,8 +147,16 @@ impl MonteCarlo<'_> {
         let mut done = 0;
         while done < self.samples {
             let end = (done + CHUNK).min(self.samples);
-            let runs: Result<Vec<Run>, MonteCarloError> =
-                (done..end).into_par_iter().map(|index| self.one(&controller, index)).collect();
+            let drawn: Result<Vec<(u64, Process)>, MonteCarloError> =
+                (done..end).into_par_iter().map(|index| Ok((index, self.drawn(index)?))).collect();
+            let (indices, processes): (Vec<u64>, Vec<Process>) = drawn?.into_iter().unzip();
+            let margins = robustness_of_processes(&processes, &controller).loops;
+            let runs: Result<Vec<Run>, MonteCarloError> = indices
+                .into_par_iter()
+                .zip(processes)
+                .zip(margins)
+                .map(|((index, process), margins)| Ok(self.one(&controller, index, process, margins?)))
+                .collect();
             let runs = runs?;
             for run in &runs {
                 count.add(run, self.scenario.is_some());
@@ -160,18 +169,20 @@ impl MonteCarlo<'_> {
         Ok(count.summary(done))
     }
 
-    fn one(&self, controller: &Controller, index: u64) -> Result<Run, MonteCarloError> {
+    fn drawn(&self, index: u64) -> Result<Process, MonteCarloError> {
         let [gain, dead_time] = self.draws.factors(index);
-        let process = self.process.perturbed(gain, dead_time)?;
+        Ok(self.process.perturbed(gain, dead_time)?)
+    }
+
+    fn one(&self, controller: &Controller, index: u64, process: Process, margins: Robustness) -> Run {
         let closed = ClosedLoop::new(&process, controller);
-        let margins = margins(&closed)?;
         let scenario = self.scenario.filter(|_| margins.stable);
         let metrics =
             scenario.and_then(|scenario| simulate(&closed, scenario).ok()).map(|found| found.metrics);
         let response = scenario.filter(|_| !self.times.is_empty());
         let response = response.and_then(|scenario| trajectory(&closed, scenario, self.times).ok());
         let response = response.map_or_else(Vec::new, |found| found.controlled_variable);
-        Ok(Run { index, process, margins, metrics, response })
+        Run { index, process, margins, metrics, response }
     }
 }
 
