@@ -32,13 +32,13 @@ REASONS = {
     ("W1", "crate differential-equations"): LAYERS,
     ("W1", "C, fourth order, equal accuracy"): LAYERS,
     ("W1", "C, Euler at 0.01 s, 20 001 points"): LAYERS,
-    ("W2", "python-control"): "python-control's Padé loop is accurate and cheap here; on a grid with the exact delay it "
-                              "takes ten times as long or more",
+    ("W2", "python-control"): "one loop takes the lanes of thirty-two",
     ("W3", "python-control"): "as W1, eight processes to a vector",
     ("W3", "time a process"): "as W1, eight processes to a vector",
     ("W4", "python-control"): "as the time of a controller, below",
     ("W4", "time a controller"): "a third each for the crossovers, the peak and its proof; then reading controllers and writing results",
-    ("W5", "curve_fit"): "holdup searches all dead times to 2000 s, curve_fit polishes a start that is near; not profiled",
+    ("W5", "curve_fit"): "holdup weighs all dead times to 2000 s, curve_fit polishes a start that is near; a dozen passes over the rows take "
+                          "about the same each, most of them held up by memory",
     ("W3", "two cores against one, on the wall"): BUSY,
     ("W4", "two cores against one, on the wall"): BUSY,
 }

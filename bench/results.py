@@ -137,8 +137,8 @@ def margin_rows(c):
     reference = c.found["reference", "margins", 1]["values"]
     labels = {"ours": "holdup", "control": "python-control"}
     for k, v in sorted((k, v) for k, v in c.found.items() if isinstance(k, tuple) and k[0] in labels and "margins" in k[1]):
-        how = {"margins-pade": f"Padé order {k[2]}", "margins": f"exact delay, grid of {k[2]}"}[k[1]]
-        how = "exact" if k[0] == "ours" else how
+        how = {("control", "margins-pade"): f"Padé order {k[2]}", ("control", "margins"): f"exact delay, grid of {k[2]}",
+               ("ours", "margins"): "exact", ("ours", "margins-all"): "exact, with M_t, all crossovers and warnings"}[k[:2]]
         yield (labels[k[0]], how, duration(v["seconds"]), ratio(v["seconds"] / c.margins["seconds"]),
                f"{error(v['values'], reference):.0e}")
 

@@ -3,8 +3,8 @@
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
 use holdup::analysis::batch::{
-    ManyMargins, Robustness, margins_of_controllers, margins_of_processes, robustness_of_controllers,
-    robustness_of_processes,
+    ManyMargins, Robustness, margins_of, margins_of_controllers, margins_of_processes,
+    robustness_of_controllers, robustness_of_processes,
 };
 use holdup::analysis::frequency::margins;
 use holdup::model::{ClosedLoop, Controller, Process, Seconds};
@@ -190,6 +190,9 @@ fn margins_of_processes_are_those_of_each_in_any_order_and_number_of_threads() {
         (0..2000).map(|_| process().perturbed(factor(), factor()).unwrap()).collect();
     let found = margins_of_processes(&processes, &controller);
     let both = robustness_of_processes(&processes, &controller);
+    for (process, found) in processes.iter().zip(&found.loops) {
+        assert_eq!(&margins_of(process, &controller), found);
+    }
     for (found, both) in found.loops.iter().zip(&both.loops) {
         let (found, both) = (found.unwrap(), both.unwrap());
         assert!(found.complementary_sensitivity_peak.is_none() && agree(&found, &both));

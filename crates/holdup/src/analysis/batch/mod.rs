@@ -32,7 +32,7 @@ mod response;
 
 pub use integrals::{integrals_over_controllers, integrals_over_processes};
 pub use margins::{
-    ManyMargins, Robustness, margins_of_controllers, margins_of_processes, robustness_of_controllers,
-    robustness_of_processes,
+    ManyMargins, Robustness, margins_of, margins_of_controllers, margins_of_processes,
+    robustness_of_controllers, robustness_of_processes,
 };
 pub use response::{over_controllers, over_processes};
