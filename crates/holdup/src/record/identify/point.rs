@@ -152,6 +152,47 @@ mod tests {
         }
     }
 
+    /// No other dead time leaves less: on short records with every kind of input, against a dense grid of dead times. 1e-9:
+    /// the squares are differences of sums.
+    #[test]
+    fn no_dead_time_of_a_grid_leaves_less() {
+        let mut random = ChaCha8Rng::seed_from_u64(11);
+        let mut fitted = 0;
+        for case in 0..200 {
+            let rows = random.random_range(9..90_u32);
+            let (chance, noise) = ([0.05, 0.3, 1.0][case % 3], [0.0, 0.1, 3.0][case / 3 % 3]);
+            let mut value = [0.0, 1e3][case % 2];
+            let mut input = Vec::new();
+            for _ in 0..rows {
+                if random.random_range(0.0..1.0) < chance {
+                    value += random.random_range(-1.0..1.0);
+                }
+                input.push(value);
+            }
+            let time: Vec<f64> = (0..rows).map(f64::from).collect();
+            let dead_time = random.random_range(0.0..f64::from(rows) / 2.0);
+            let of = super::super::input::Input::new(&time, &input, Hold::Constant);
+            let mut level = of.column(super::super::input::Shape::Integral, dead_time, &time);
+            for value in &mut level {
+                *value = 0.1 * *value + noise * random.random_range(-1.0..1.0);
+            }
+            let record = Record::new(time, level, input).unwrap();
+            let greatest = random.random_range(1..=rows / 2);
+            let Ok(fit) = point_fit(&record, Seconds(f64::from(greatest))) else { continue };
+            fitted += 1;
+            let problem = Problem::new(&record, 0, 1, Hold::Constant, Load::Constant);
+            let white = Whitener::new(&Noise::WHITE, &problem.times);
+            let whitened = Whitened::new(&problem, &white, Kind::Integrating);
+            let found = whitened.at(fit.dead_time, 0.0).squares;
+            let total = whitened.rest(1.0).1.iter().map(|y| y * y).sum::<f64>();
+            for part in 0..=8 * greatest {
+                let other = whitened.at(f64::from(part) / 8.0, 0.0).squares;
+                assert!(found <= other + 1e-9 * total, "{case}: {fit:?}, {found} against {other}");
+            }
+        }
+        assert!(fitted > 150, "{fitted}");
+    }
+
     #[test]
     fn an_input_that_stands_still_is_refused() {
         let time: Vec<f64> = (0..50).map(f64::from).collect();

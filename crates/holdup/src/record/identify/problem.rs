@@ -155,8 +155,7 @@ impl<'p, 'r> Whitened<'p, 'r> {
 
     /// The best with this dead time and lag, from what [`Whitened::rest`] gives for the lag.
     pub(crate) fn at_with(&self, basis: &Basis, response: &[f64], dead_time: f64, lag: f64) -> Fit {
-        let column = basis.projected(self.column(self.kind.shape(lag), dead_time));
-        let column_squares = dot(&column, &column);
+        let (column, column_squares) = basis.outside(self.column(self.kind.shape(lag), dead_time));
         let gain = if column_squares > 0.0 { dot(&column, response) / column_squares } else { 0.0 };
         let squares = column.iter().zip(response).map(|(v, y)| (y - gain * v).powi(2)).sum();
         Fit { kind: self.kind, dead_time, lag, gain, squares, column_squares }

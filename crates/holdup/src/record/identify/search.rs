@@ -74,8 +74,8 @@ fn along(whitened: &Whitened<'_, '_>, basis: &Basis, response: &[f64], lag: f64,
     // Squares left at each dead time tried, to tell the local best ones.
     let mut left: Vec<Fit> = Vec::new();
     for &dead_time in tried {
-        let column = basis.projected(whitened.column(shape, dead_time));
-        let (own, with) = (dot(&column, &column), dot(&column, response));
+        let (column, own) = basis.outside(whitened.column(shape, dead_time));
+        let with = dot(&column, response);
         let fit = |dead_time: f64, with: f64, own: f64| Fit {
             kind: whitened.kind,
             dead_time,

@@ -54,6 +54,14 @@ impl Basis {
         column
     }
 
+    /// The column less its part in the basis, and the sum of squares of that: 0 where it is rounding.
+    pub(crate) fn outside(&self, column: Vec<f64>) -> (Vec<f64>, f64) {
+        let whole = dot(&column, &column);
+        let left = self.projected(column);
+        let squares = dot(&left, &left);
+        (left, if squares > DEPENDENT * DEPENDENT * whole { squares } else { 0.0 })
+    }
+
     /// Number of independent columns.
     pub(crate) fn rank(&self) -> usize {
         self.columns.len()

@@ -70,7 +70,7 @@ fn narrowed(grid: &Grid, runs: &[(usize, usize)], own: &Own, bend: f64) -> Vec<(
             let start = (first + k) * grid.rows;
             let end = (start + grid.rows).min(lags);
             let (least, most) = (pair[0].abs() - off, pair[0].abs().max(pair[1].abs()) + 2.0 * off);
-            if least > 0.0 && own.squares[start] > 0.0 {
+            if least > 0.0 && own.squares[start] > own.floor {
                 sure = sure.max(least * least / own.squares[start]);
             }
             pieces.push((start, end, most * most, own.least(start, end)));
@@ -80,7 +80,7 @@ fn narrowed(grid: &Grid, runs: &[(usize, usize)], own: &Own, bend: f64) -> Vec<(
     let mut left: Vec<(usize, usize)> = Vec::new();
     for (start, end, most, squares) in pieces {
         // Where the integral may vanish, anything is possible.
-        if squares > 0.0 && most < sure * squares {
+        if squares > own.floor && most < sure * squares {
             continue;
         }
         match left.last_mut() {
@@ -103,11 +103,10 @@ fn finest(grid: &Grid, runs: &[(usize, usize)], own: &Own) -> Option<Best> {
             let (e, g) = (cross - left, left - 2.0 * cross + right);
             // The stationary point of (c + b·f)²/(left + 2·e·f + g·f²).
             let f = ((c * e - b * left) / (b * e - c * g)).clamp(0.0, 1.0);
-            // The right end is the left end of the next piece.
-            for share in [0.0, if f.is_nan() { 1.0 } else { f }] {
+            for share in [0.0, if f.is_nan() { 1.0 } else { f }, 1.0] {
                 let squares = left + share * (2.0 * e + share * g);
                 let with = c + b * share;
-                if squares > 0.0 && with * with > squares * best.map_or(0.0, |(score, _)| score) {
+                if squares > own.floor && with * with > squares * best.map_or(0.0, |(score, _)| score) {
                     best = Some((with * with / squares, Best { lag, share }));
                 }
             }

@@ -8,9 +8,15 @@ pub(super) struct Own {
     pub(super) squares: Vec<f64>,
     /// Products with the integral at the next lag, one fewer.
     pub(super) neighbour: Vec<f64>,
+    /// Below it the squares are what sums over the rows have lost, or near it.
+    pub(super) floor: f64,
     /// Bound of the sum of squares by which the column changes from lag to lag.
     change: f64,
 }
+
+/// The least share of the integral that must lie outside straight lines for its moves to show, squared: eleven of sixteen
+/// digits are lost there.
+const SHOWN: f64 = 1e-10;
 
 /// Of the window at one lag: sum, moment about its middle, squares, and products with the window at the next lag.
 type Place = [f64; 4];
@@ -23,6 +29,7 @@ impl Own {
         let half = (rows as f64 - 1.0) / 2.0;
         let ([mut sum, mut moment, mut squares, mut neighbour], change) =
             own_sums(&integral[lags..], &integral[lags - 1..], input, mean);
+        let floor = SHOWN * squares;
         let mut places: Vec<Place> = Vec::with_capacity(lags + 1);
         // From lag to lag one value enters at the front of the window, one leaves at its end.
         let ends = || integral[..lags].iter().zip(&integral[rows..rows + lags]).rev();
@@ -37,7 +44,8 @@ impl Own {
         }));
         places.push([sum, moment, squares, 0.0]);
         let (squares, neighbour) = outside(&places, rows as f64);
-        Self { squares, neighbour, change: change + (lags + 1) as f64 * (input[0] - mean).powi(2) }
+        let change = change + (lags + 1) as f64 * (input[0] - mean).powi(2);
+        Self { squares, neighbour, floor, change }
     }
 
     /// No column between these lags has a smaller sum of squares. Between two lags it is a parabola that bends by the

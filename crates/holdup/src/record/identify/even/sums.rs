@@ -9,6 +9,7 @@
 use std::array::from_fn;
 use std::hint::black_box;
 
+use super::super::squares::dot;
 use super::moves::Move;
 
 /// Rows that are worked on side by side.
@@ -223,7 +224,18 @@ impl Columns<'_> {
 
     /// All that the best gain and share of the piece need.
     pub(super) fn products(&self) -> Products {
-        products_of(self)
+        products_of(self).unwrap_or_else(|| self.row_by_row())
+    }
+
+    /// The same with straight lines taken out of the columns first.
+    fn row_by_row(&self) -> Products {
+        let rows = self.column.len();
+        let change: Vec<f64> =
+            (0..rows).map(|row| self.mean - self.input[(row + 1).saturating_sub(self.lag + 2)]).collect();
+        let lines = [line(self.column), line(&change)];
+        let [v, w] = [less(self.column, lines[0]).0, less(&change, lines[1]).0];
+        let y = self.response;
+        Products { lines, products: [dot(&v, &v), dot(&v, &w), dot(&w, &w), dot(&v, y), dot(&w, y)] }
     }
 
     /// The sum of squares that gain and share leave.
@@ -232,8 +244,12 @@ impl Columns<'_> {
     }
 }
 
+/// Share of a column's squares outside straight lines below which a difference of sums is too small to be exact.
+const MOSTLY_STRAIGHT: f64 = 1e-4;
+
+/// `None` where a column is little more than a straight line.
 #[multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2"))]
-fn products_of(columns: &Columns<'_>) -> Products {
+fn products_of(columns: &Columns<'_>) -> Option<Products> {
     let rows = columns.column.len();
     let n = rows as f64;
     let (middle, spread) = ((n - 1.0) / 2.0, n * (n * n - 1.0) / 12.0);
@@ -241,16 +257,11 @@ fn products_of(columns: &Columns<'_>) -> Products {
         let place = row - middle;
         [v, place * v, w, place * w, v * v, v * w, w * w, v * y, w * y]
     });
-    Products {
-        lines: [Line::of(v, mv, rows), Line::of(w, mw, rows)],
-        products: [
-            vv - v * v / n - mv * mv / spread,
-            vw - v * w / n - mv * mw / spread,
-            ww - w * w / n - mw * mw / spread,
-            vy,
-            wy,
-        ],
-    }
+    let lines = [Line::of(v, mv, rows), Line::of(w, mw, rows)];
+    let outside = [vv - v * v / n - mv * mv / spread, ww - w * w / n - mw * mw / spread];
+    let products = [outside[0], vw - v * w / n - mv * mw / spread, outside[1], vy, wy];
+    (outside[0] > MOSTLY_STRAIGHT * vv && outside[1] > MOSTLY_STRAIGHT * ww)
+        .then_some(Products { lines, products })
 }
 
 #[multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2"))]
