@@ -6,5 +6,6 @@ mod dialects;
 mod faults;
 mod parquet;
 mod plant_records;
+mod readings;
 mod repairs;
 mod sample;
