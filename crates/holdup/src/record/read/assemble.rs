@@ -28,7 +28,7 @@ pub(super) struct File {
     /// The instants of the rows, where they are known already.
     pub(super) times: Option<Times>,
     /// Rows of data in the file.
-    pub(super) rows_in_file: usize,
+    pub(super) rows: usize,
 }
 
 /// Puts the record together.
@@ -39,12 +39,11 @@ pub(super) fn reading(
 ) -> Result<Reading, ReadError> {
     let File { headings, roles, table, .. } = file;
     let own;
-    let times = match &file.times {
-        Some(times) => times,
-        None => {
-            own = instants(file, options)?;
-            &own
-        }
+    let times = if let Some(times) = &file.times {
+        times
+    } else {
+        own = instants(file, options)?;
+        &own
     };
     repairs.extend(times.assumed.iter().cloned());
     let mark = decimal_mark(file, options, &mut repairs);
@@ -132,7 +131,7 @@ pub(super) fn reading(
         columns: columns(file),
         time_format: times.format,
         start: times.format.has_date().then(|| iso(start)),
-        rows_in_file: file.rows_in_file,
+        rows_in_file: file.rows,
         rows: record.len(),
     };
     Ok(Reading { record, found, repairs, start })

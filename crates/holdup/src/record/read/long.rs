@@ -110,7 +110,7 @@ impl Layout {
     /// The readings put together to rows; `table` has the needed columns, `file` the rest.
     pub(super) fn file(
         &self,
-        about: About,
+        about: &About,
         headings: &[Heading],
         table: &Table,
         options: &ReadOptions,
@@ -141,7 +141,7 @@ impl Layout {
             roles,
             table: wide,
             times: Some(Times { instants, format, assumed: Vec::new() }),
-            rows_in_file: table.rows,
+            rows: table.rows,
         })
     }
 

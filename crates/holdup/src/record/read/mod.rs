@@ -111,12 +111,12 @@ pub fn read_bytes(bytes: &[u8], options: &ReadOptions) -> Result<Reading, ReadEr
             delimiter: Some(dialect.delimiter.name()),
             heading_line: dialect.heading_line,
         };
-        let file = layout.file(about, &dialect.headings, &table, options, &mut repairs)?;
+        let file = layout.file(&about, &dialect.headings, &table, options, &mut repairs)?;
         return assemble::reading(&file, options, repairs);
     }
     let roles = roles::roles(&dialect.headings, options, &mut repairs)?;
     let table = delimited::table(&text, &dialect, &roles.needed(), &mut repairs);
-    let rows_in_file = table.rows;
+    let rows = table.rows;
     let file = assemble::File {
         format: "csv",
         layout: "columns",
@@ -127,7 +127,7 @@ pub fn read_bytes(bytes: &[u8], options: &ReadOptions) -> Result<Reading, ReadEr
         roles,
         table,
         times: None,
-        rows_in_file,
+        rows,
     };
     assemble::reading(&file, options, repairs)
 }

@@ -57,12 +57,12 @@ fn decoded(bytes: &[u8], options: &ReadOptions) -> Result<Reading, ReadError> {
     if let Some(layout) = long::Layout::of(&headings, options, &mut repairs)? {
         let table = table(open()?, &layout.needed())?;
         let about = long::About { format: "parquet", encoding: None, delimiter: None, heading_line: None };
-        let file = layout.file(about, &headings, &table, options, &mut repairs)?;
+        let file = layout.file(&about, &headings, &table, options, &mut repairs)?;
         return assemble::reading(&file, options, repairs);
     }
     let roles = roles::roles(&headings, options, &mut repairs)?;
     let table = table(open()?, &roles.needed())?;
-    let rows_in_file = table.rows;
+    let rows = table.rows;
     let file = File {
         format: "parquet",
         layout: "columns",
@@ -73,7 +73,7 @@ fn decoded(bytes: &[u8], options: &ReadOptions) -> Result<Reading, ReadError> {
         roles,
         table,
         times: None,
-        rows_in_file,
+        rows,
     };
     assemble::reading(&file, options, repairs)
 }

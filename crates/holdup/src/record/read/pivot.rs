@@ -194,7 +194,9 @@ impl Readings<'_> {
             }
             Some(Column::Text(cells)) => {
                 let mut column = TextColumn::default();
-                rows.iter().for_each(|row| column.push(row.map_or(&[], |row| cells.cell(row))));
+                for row in rows {
+                    column.push(row.map_or(&[], |row| cells.cell(row)));
+                }
                 Column::Text(column)
             }
             _ => Column::Numbers(vec![f64::NAN; rows.len()]),
