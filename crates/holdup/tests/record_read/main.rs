@@ -2,6 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
+mod adversarial;
 mod dialects;
 mod faults;
 mod parquet;

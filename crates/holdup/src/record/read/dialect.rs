@@ -201,20 +201,22 @@ fn usual_width(rows: &[Sampled]) -> Option<usize> {
     runs.first().copied()
 }
 
-/// The share of cells that are numbers, times or missing values, under one delimiter; 0 where no row has two.
+/// The mean over rows of the share of cells that are numbers, times or missing values, under one delimiter; 0 where no row
+/// has two. A row of another width than usual has none.
 fn score(rows: &[Sampled]) -> f64 {
     let half = second_half(rows);
     let Some(width) = usual_width(half) else { return 0.0 };
-    let (mut typed, mut all, mut strict) = (0_u32, 0_u32, 0_u32);
-    for row in half {
-        let usual = row.cells.len() == width;
-        for kind in row.kinds.iter().take(if usual { width } else { 1 }) {
-            all += 1;
-            typed += u32::from(usual && *kind != Kind::Text);
-            strict += u32::from(usual && !matches!(kind, Kind::Text | Kind::Missing));
-        }
+    let (mut sum, mut strict) = (0.0, false);
+    for row in half.iter().filter(|row| row.cells.len() == width) {
+        let typed = row.kinds.iter().filter(|kind| **kind != Kind::Text).count();
+        strict |= row.kinds.iter().any(|kind| !matches!(kind, Kind::Text | Kind::Missing));
+        #[expect(clippy::cast_precision_loss, reason = "a number of cells")]
+        let share = typed as f64 / width as f64;
+        sum += share;
     }
-    if strict == 0 { 0.0 } else { f64::from(typed) / f64::from(all) }
+    #[expect(clippy::cast_precision_loss, reason = "a number of rows")]
+    let rows = half.len() as f64;
+    if strict { sum / rows } else { 0.0 }
 }
 
 /// A tenth where most rows have a delimiter that is more likely one inside a text: then this delimiter cuts
