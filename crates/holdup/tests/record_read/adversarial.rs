@@ -64,7 +64,7 @@ fn level(row: usize) -> f64 {
 }
 
 fn valve(row: usize) -> f64 {
-    if row / 30 % 2 == 0 { 1234.5 } else { 20.25 }
+    if (row / 30).is_multiple_of(2) { 1234.5 } else { 20.25 }
 }
 
 /// Minutes after midnight on the wall: the clock goes from 3:00 back to 2:00.
@@ -136,7 +136,7 @@ impl Sheet {
         let own = |cells: [&'static str; 2]| [names.clone(), cells.to_vec()].concat();
         let mut heading: Vec<String> = own(["LIC7.PV", "LIC7.OP"]).into_iter().map(str::to_owned).collect();
         if self.quoted_heading {
-            heading.iter_mut().for_each(|name| *name = format!("\"{name}\""));
+            heading = heading.iter().map(|name| format!("\"{name}\"")).collect();
         }
         let mut lines: Vec<String> = ["Report of tank 7", "Plant: north", "Made by hand"][..self.preamble]
             .iter()
