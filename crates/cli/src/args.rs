@@ -334,6 +334,9 @@ pub(crate) struct IdentifyArgs {
     /// What the load is taken for beside its random part: constant, drifting
     #[arg(long, value_name = "LOAD", default_value = "constant")]
     pub(crate) load: String,
+    /// The greatest number of sudden changes of the load that are looked for, each of which must pay for itself; 0 for none
+    #[arg(long, value_name = "NUMBER", value_parser = clap::value_parser!(u8).range(0..=3), default_value = "3")]
+    pub(crate) load_steps: Option<u8>,
     /// How far the controlled variable may move in a test; when absent, half its range in the record
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     pub(crate) excursion: Option<String>,

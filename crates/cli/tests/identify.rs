@@ -123,6 +123,39 @@ fn a_generated_tank_is_identified_tuned_and_reported() {
     assert!(text.starts_with("Recommended PI"), "{text}");
 }
 
+/// The same tank, one reading of a tag a row, and from 250 s on a load of 3 units of the valve, which is three hundred times what
+/// moves the level otherwise in a row. A row for its time and a twentieth for its size: the level's noise of 0.003 in 150 rows.
+#[test]
+fn a_step_of_the_load_is_told_from_readings_of_tags_in_text_json_and_report() {
+    let mut file = "Timestamp;Tag;Value;Status\n".to_owned();
+    for k in 0..400_u32 {
+        let t = f64::from(k);
+        let of_load = 0.006 * (t - 250.0).max(0.0);
+        let level = 40.0 + 0.02 * (t - 67.3).clamp(0.0, 60.0) + of_load + 0.003 * (7.0 * t * t).sin();
+        let stamp = format!("2024-03-05 08:{:02}:{:02}", k / 60, k % 60);
+        file += &format!("{stamp};LIC205.PV;{level:.3};Good\n");
+        if [0, 60, 120].contains(&k) {
+            file += &format!("{stamp};LIC205.OP;{};Good\n", if k == 60 { 60 } else { 50 });
+        }
+    }
+    let place = folder("identify-load");
+    let (data, page) = (place.join("tags.csv"), place.join("tags.html"));
+    std::fs::write(&data, file).unwrap();
+    let [data, page] = [data, page].map(|path| path.display().to_string());
+    let words = ["identify", &data, "--report", &page];
+    let answer = json(&words);
+    assert_eq!(answer["found"]["layout"], "readings");
+    assert_eq!(answer["load_steps"].as_array().unwrap().len(), 1, "{}", answer["load_steps"]);
+    between(&answer["load_steps"][0]["time_s"], 249.0, 251.0);
+    between(&answer["load_steps"][0]["size"], 2.85, 3.15);
+    between(&answer["process"]["process_gain"], 0.00198, 0.00202);
+    assert!(std::fs::read_to_string(&page).unwrap().contains("the load changes by"));
+    let text = String::from_utf8(run(&words).stdout).unwrap();
+    assert!(text.contains("Load steps") && text.contains("the load changes by"), "{text}");
+    let none = json(&["identify", &data, "--load-steps", "0"]);
+    assert_eq!(none["load_steps"], serde_json::json!([]));
+}
+
 /// The closed form: K = 0.05, d = 6 (see the library's test against an exact simulation).
 #[test]
 fn a_relay_test_gives_gain_dead_time_and_load() {
@@ -143,4 +176,5 @@ fn bad_options_name_what_is_allowed() {
     assert!(refused(&["identify", &still]).contains("op"));
     assert!(refused(&["identify", &still, "--model", "square"]).contains("integrating"));
     assert!(refused(&["identify", &still, "--hold", "cubic"]).contains("linear"));
+    assert!(refused(&["identify", &still, "--load-steps", "4"]).contains("0..=3"));
 }

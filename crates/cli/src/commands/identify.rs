@@ -6,7 +6,8 @@ use holdup::model::quantity::{read_number, read_time};
 use holdup::record::controller::{Estimate, RunningController};
 use holdup::record::identify::{Hold, Kind, Load};
 use holdup::record::{
-    Identification, IdentifyOptions, Reading, Record, RetuneError, Survey, Verdict, identify, retune,
+    Identification, IdentifyOptions, LoadStep, Reading, Record, RetuneError, Survey, Verdict, identify,
+    retune,
 };
 use holdup::study::record_report::record_report;
 use serde_json::{Value, json};
@@ -104,7 +105,8 @@ fn options(args: &IdentifyArgs) -> Result<IdentifyOptions, Fault> {
         Some(text) => Some(positive("--excursion", read_number("--excursion", text).map_err(Fault::input)?)?),
         None => None,
     };
-    Ok(IdentifyOptions { greatest_dead_time, kind, hold, load, excursion })
+    let load_steps = args.load_steps.map(usize::from);
+    Ok(IdentifyOptions { greatest_dead_time, kind, hold, load, load_steps, excursion })
 }
 
 /// The answer as the contract has it.
@@ -212,6 +214,11 @@ fn text(
         text.push('\n');
     }
     text += &running(answer.controller.as_ref(), answer.excitation.closed_loop, console);
+    if !answer.load_steps.is_empty() {
+        text += &title(console, "Load steps");
+        text += &list(console, &answer.load_steps.iter().map(LoadStep::text).collect::<Vec<_>>());
+        text.push('\n');
+    }
     if let Some(load) = &answer.load {
         let sentence = format!(
             "Load that explains the rest: standard deviation {} at the process input, seen over {} s.",

@@ -96,6 +96,8 @@ pub(crate) fn text(args: &RecordArgs, reading: &Reading, console: Console) -> St
     about.extend(found.encoding.map(str::to_owned));
     about.extend(found.delimiter.map(|name| format!("delimiter {name}")));
     about.extend(found.heading_line.map(|line| format!("heading in line {line}")));
+    let readings = found.layout == "readings";
+    about.extend(readings.then(|| format!("{} readings of tags, one a row", found.rows_in_file)));
     about.extend(found.start.as_ref().map(|start| format!("starts {start}")));
     text += &about.join(", ");
     text += "\n\n";
@@ -115,7 +117,7 @@ pub(crate) fn text(args: &RecordArgs, reading: &Reading, console: Console) -> St
     text += &table(console, &["column", "name", "unit", "used as"], &rows);
     let unused = found.columns.len() - rows.len();
     if unused > 0 {
-        _ = writeln!(text, "Not used: {unused} other columns.");
+        _ = writeln!(text, "Not used: {unused} other {}.", if readings { "tags" } else { "columns" });
     }
     text.push('\n');
     if reading.repairs.is_empty() {

@@ -9,6 +9,7 @@ use super::diagnosis::Diagnosis;
 use super::excitation::Excitation;
 use super::identify::{Hold, Kind, Load, Noise};
 use super::load::RecoveredLoad;
+use super::load_steps::LoadStep;
 use crate::model::{ModelError, Process, Seconds};
 
 /// How far the result can be trusted.
@@ -46,6 +47,8 @@ pub struct IdentifyOptions {
     pub hold: Hold,
     /// What the load is taken for beside its random part.
     pub load: Load,
+    /// The greatest number of sudden changes of the load that are looked for; 3 where absent, 0 for none.
+    pub load_steps: Option<usize>,
     /// How far the controlled variable may move in a test [output unit]; its own spread in the record where absent.
     pub excursion: Option<f64>,
 }
@@ -144,6 +147,8 @@ pub struct Identification {
     pub excitation: Excitation,
     /// The controller that was running, where one is seen.
     pub controller: Option<RunningController>,
+    /// Sudden changes of the load, in the order of their times; empty when refused.
+    pub load_steps: Vec<LoadStep>,
     /// The load that explains the rest.
     pub load: Option<RecoveredLoad>,
     /// The fit.

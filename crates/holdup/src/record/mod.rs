@@ -9,6 +9,7 @@ mod identification;
 pub mod identify;
 mod judgement;
 mod load;
+mod load_steps;
 mod read;
 pub mod relay;
 mod replay;
@@ -26,6 +27,7 @@ pub use identification::{
 };
 pub use judgement::{IdentifyError, identify};
 pub use load::RecoveredLoad;
+pub use load_steps::LoadStep;
 pub use read::{
     DateOrder, DecimalMark, Found, FoundColumn, GREATEST, PARQUET_THREAD, Place, ReadError, ReadOptions,
     Reading, Repair, RepairKind, TimeFormat, read, read_bytes,

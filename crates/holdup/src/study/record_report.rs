@@ -4,7 +4,7 @@ use super::figures::page::{Column, Page, Section, Table};
 use super::figures::{Axis, Figure, FigureError, Line, Panel, Series, Tone};
 use super::report::ReportError;
 use crate::record::wording::{four, three};
-use crate::record::{Identification, Record, Retuning};
+use crate::record::{Identification, LoadStep, Record, Retuning};
 
 /// Points of a curve at most: a page stays light, and a screen shows no more.
 const POINTS: usize = 4000;
@@ -19,9 +19,11 @@ pub fn record_report(
     answer: &Identification,
     retuning: Option<&Retuning>,
 ) -> Result<Page, ReportError> {
-    let model = answer.model.map_or_else(|| "no model".to_owned(), |kind| kind.to_string());
+    // The reason of the choice begins with the kind that was chosen.
+    let model =
+        if answer.model.is_some() { format!("model {}", answer.choice) } else { "no model".to_owned() };
     let mut page = Page::new(format!("Identification of {name}"))
-        .with_introduction(format!("Verdict: {}; {model}. {}.", answer.verdict.word(), answer.choice))
+        .with_introduction(format!("Verdict: {}; {model}.", answer.verdict.word()))
         .with_section(Section::new("Why").with_list(answer.reasons.clone()))
         .with_section(Section::new("Result").with_table(result(answer)?))
         .with_section(Section::new("The record").with_figure(data(record, answer)?));
@@ -30,7 +32,11 @@ pub fn record_report(
             .with_series(curve("load", &load.time, &load.load)?);
         let figure = Figure::new("The load that explains the rest", vec![panel])?;
         let about = format!("Each value is a mean over {} s: faster loads are not seen.", three(load.window));
-        page = page.with_section(Section::new("Load").with_paragraph(about).with_figure(figure));
+        let mut section = Section::new("Load").with_paragraph(about);
+        if !answer.load_steps.is_empty() {
+            section = section.with_list(answer.load_steps.iter().map(LoadStep::text).collect());
+        }
+        page = page.with_section(section.with_figure(figure));
     }
     if !answer.diagnosis.findings.is_empty() {
         page = page.with_section(Section::new("Diagnosis").with_list(answer.diagnosis.findings.clone()));

@@ -3,6 +3,7 @@
 
 mod controllers;
 mod diagnosis;
+mod load_steps;
 mod plant;
 mod processes;
 mod refusals;

@@ -2,9 +2,11 @@
 
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
+mod adversarial;
 mod dialects;
 mod faults;
 mod parquet;
 mod plant_records;
+mod readings;
 mod repairs;
 mod sample;

@@ -14,7 +14,7 @@ use parquet::basic::{Compression, ZstdLevel};
 use parquet::file::properties::WriterProperties;
 use proptest::prelude::*;
 
-use crate::sample::{ROWS, START, controlled, iso, manipulated, operation, record, seconds};
+use crate::sample::{ROWS, START, controlled, iso, manipulated, operation, record, seconds, setpoint};
 
 fn bytes(columns: Vec<(&str, ArrayRef)>, compression: Compression) -> Vec<u8> {
     let batch = RecordBatch::try_from_iter(columns).unwrap();
@@ -117,4 +117,27 @@ proptest! {
             prop_assert!(!error.to_string().contains(['\n', '\r']), "{}", error);
         }
     }
+}
+
+#[test]
+fn readings_of_tags_are_put_together_as_in_text_files() {
+    let tags = (0..3 * ROWS).map(|row| ["LIC7.PV", "LIC7.OP", "LIC7.SP"][row % 3]);
+    let value = |row: usize| match row % 3 {
+        0 => controlled(row / 3),
+        1 => manipulated(row / 3),
+        _ => setpoint(row / 3),
+    };
+    let times = TimestampMillisecondArray::from_iter_values((0..3 * ROWS).map(|row| epoch(row / 3, 1000)));
+    let columns: Vec<(&'static str, ArrayRef)> = vec![
+        ("t_stamp", Arc::new(times)),
+        ("tagpath", Arc::new(StringArray::from_iter_values(tags))),
+        ("value", Arc::new(Float64Array::from_iter_values((0..3 * ROWS).map(value)))),
+        ("dataintegrity", Arc::new(Int64Array::from_iter_values((0..3 * ROWS).map(|_| 192)))),
+    ];
+    let reading = read_bytes(&bytes(columns, Compression::UNCOMPRESSED), &ReadOptions::default()).unwrap();
+    assert_eq!(reading.record.controlled_variable(), record().controlled_variable());
+    assert_eq!(reading.record.manipulated_variable(), record().manipulated_variable());
+    assert_eq!(reading.record.setpoint(), record().setpoint());
+    let kinds: Vec<_> = reading.repairs.iter().map(|repair| (repair.kind, repair.rows)).collect();
+    assert_eq!(kinds, [(RepairKind::PutTogether, 3 * ROWS)]);
 }

@@ -2,9 +2,11 @@
 //!
 //! The variance of gain and dead time depends on the strengths of the noise. Along each of them the restricted likelihood,
 //! with odds of two to one for the part being absent and else a uniform prior on its standard deviation (A. Gelman, Bayesian
-//! Analysis 1 (2006) 515), weighs the variances and the estimates that go with them; the mean of the variances plus the variance of the estimates takes the place of the variance
-//! at the best strengths, and the spread of the variances sets the degrees of freedom of Student's t as F. E. Satterthwaite
-//! does (Biometrics Bulletin 2 (1946) 110).
+//! Analysis 1 (2006) 515), weighs the variances and the estimates that go with them. The mean of the variances plus the variance
+//! of the estimates takes the place of the variance at the best strengths. An estimate whose variance is itself uncertain is a mixture
+//! of normal distributions; with the variance as the inverse of a χ² it is Student's t (A. Gelman and others, Bayesian Data
+//! Analysis, 3rd ed. (2013), section 3.2), whose degrees of freedom follow from the spread of the variances, and whose scale
+//! from their mean: ν/(ν − 2) times the square of the scale is that mean.
 
 use crate::record::identify::{Basis, Fit, Joint, Noise, Problem, Shape, Whitener, dot};
 
@@ -13,9 +15,6 @@ const POINTS: u32 = 9;
 
 /// The restricted log-likelihood falls by so much at the end of what is weighed.
 const FALL: f64 = 4.5;
-
-/// Least degrees of freedom.
-const LEAST: f64 = 4.0;
 
 /// What takes the place of the residual variance and of the rows' degrees of freedom for one parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -190,9 +189,13 @@ pub(crate) fn inflations(problem: &Problem<'_>, joint: &Joint, resolution: f64) 
         }
     }
     let of = |index: usize| {
-        let factor = (1.0 + mean_excess[index]).clamp(1.0, 9.0);
-        let relative = spread[index] / (factor * factor);
-        let freedom = (1.0 / (1.0 / joint.freedom + relative / 2.0)).max(LEAST);
+        let mean = (1.0 + mean_excess[index]).clamp(1.0, 9.0);
+        let relative = spread[index] / (mean * mean);
+        // A variance of this mean and spread that is distributed as the inverse of a χ²: mean ν/(ν − 2), spread 2/(ν − 4) of
+        // its square.
+        let own = 4.0 + 2.0 / relative;
+        let freedom = 1.0 / (1.0 / joint.freedom + 1.0 / own);
+        let factor = (mean * (freedom - 2.0) / freedom).max(1.0);
         // An error of interpolation grows from 0 to the resolution and back: half of it on average.
         let bias = 0.5 * resolution * at_best.weight[index] / at_best.variance[index].sqrt();
         Inflation { factor, freedom, bias: if bias.is_finite() { bias } else { 0.0 } }

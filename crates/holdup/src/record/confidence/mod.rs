@@ -6,5 +6,6 @@ mod quantile;
 
 pub use profile::{Confidence, Slice};
 
-pub(crate) use inflation::{Inflations, inflations};
+pub(crate) use inflation::{Inflation, Inflations, inflations};
 pub(crate) use profile::{Profile, open_ended};
+pub(crate) use quantile::one;

@@ -2,7 +2,7 @@
 
 /// Square of the two-sided 95 % quantile of Student's t: the threshold of one parameter in units of the residual variance.
 /// Expansion of R. A. Fisher and E. A. Cornish, Technometrics 2 (1960) 209; right to 3e-3 from 5 degrees of freedom on.
-pub(super) fn one(freedom: f64) -> f64 {
+pub(crate) fn one(freedom: f64) -> f64 {
     let n = freedom.max(3.0);
     let z: f64 = 1.959_963_984_540_054;
     let (z3, z5, z7) = (z.powi(3), z.powi(5), z.powi(7));

@@ -72,6 +72,22 @@ impl Kind {
     }
 }
 
+impl Kind {
+    /// What a load that steps up by one makes of the controlled variable so long after, before the gain, and the rate of it.
+    pub(crate) fn load_response(self, lag: f64, after: f64) -> [f64; 2] {
+        if after <= 0.0 {
+            return [0.0, 0.0];
+        }
+        let risen = -(-after / lag).exp_m1();
+        match self {
+            Self::Integrating => [after, 1.0],
+            Self::IntegratingWithLag => [after - lag * risen, risen],
+            Self::DoubleIntegrating => [after * after / 2.0, after],
+            Self::FirstOrder => [risen, (1.0 - risen) / lag],
+        }
+    }
+}
+
 impl fmt::Display for Kind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {

@@ -20,6 +20,17 @@ pub(crate) struct Problem<'r> {
     pub(crate) response: Vec<f64>,
     /// What is known of the load beside its random part.
     pub(crate) load: Load,
+    /// Where the load steps.
+    pub(crate) load_steps: Vec<StepTime>,
+}
+
+/// When a load steps.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct StepTime {
+    /// Time [s].
+    pub(crate) time: f64,
+    /// Whether the time is itself uncertain: then what a small change of it does is a column of its own.
+    pub(crate) uncertain: bool,
 }
 
 impl<'r> Problem<'r> {
@@ -28,7 +39,8 @@ impl<'r> Problem<'r> {
         let input = Input::new(record.time(), record.manipulated_variable(), hold);
         let sample_times = &record.time()[from..];
         let block = block.max(1);
-        let mut problem = Self { input, sample_times, block, times: Vec::new(), response: Vec::new(), load };
+        let (times, response, load_steps) = (Vec::new(), Vec::new(), Vec::new());
+        let mut problem = Self { input, sample_times, block, times, response, load, load_steps };
         problem.times = problem.in_blocks(sample_times.to_vec());
         problem.response = problem.in_blocks(record.controlled_variable()[from..].to_vec());
         problem
@@ -63,9 +75,32 @@ impl<'r> Problem<'r> {
         self.input.column(shape, delay, times)
     }
 
-    /// The columns of the initial state and of the load.
+    /// The columns of the initial state and of the load; those of its steps stand last.
     pub(crate) fn own_columns(&self, kind: Kind, lag: f64) -> Vec<Vec<f64>> {
-        kind.own_columns(self.load, &self.times, lag)
+        let mut columns = kind.own_columns(self.load, &self.times, lag);
+        for step in &self.load_steps {
+            let [level, rate] = self.load_column(kind, lag, step.time);
+            columns.push(level);
+            if step.uncertain {
+                columns.push(rate);
+            }
+        }
+        columns
+    }
+
+    /// What a load that steps up by one at a time makes of the rows, before the gain, and the rate of it.
+    pub(crate) fn load_column(&self, kind: Kind, lag: f64, time: f64) -> [Vec<f64>; 2] {
+        [0, 1].map(|which| {
+            let rows = self.sample_times.iter().map(|row| kind.load_response(lag, row - time)[which]);
+            self.in_blocks(rows.collect())
+        })
+    }
+
+    /// The same with another step of the load.
+    pub(crate) fn with_load_step(&self, step: StepTime) -> Self {
+        let mut next = self.clone();
+        next.load_steps.push(step);
+        next
     }
 
     /// Number of rows.

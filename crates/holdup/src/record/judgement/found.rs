@@ -7,7 +7,8 @@ use crate::record::confidence::{Profile, inflations};
 use crate::record::excitation::Excitation;
 use crate::record::identification::{FitQuality, IdentifiedProcess, IdentifyOptions};
 use crate::record::identify::{
-    Joint, Kind, Noise, Problem, Whitened, exact, generalised, greatest_dead_time, joint, starting_noises,
+    Joint, Kind, MOST_LOAD_STEPS, Noise, Problem, Stepped, Whitened, exact, generalised, greatest_dead_time,
+    joint, starting_noises, with_load_steps,
 };
 
 /// Rows above which neighbours are taken together.
@@ -75,7 +76,27 @@ impl<'r> Found<'r> {
         // A working loop has K·Kc > 0, so a candidate of the other sign is none.
         let sign = excitation.sign * f64::from(u8::from(excitation.closed_loop));
         candidates.retain(|joint| joint.fit.kind == first || sign * joint.fit.gain >= 0.0);
-        let (candidates, choice) = choose(&problem, &candidates);
+        let (mut candidates, mut choice) = choose(&problem, &candidates);
+        let most = options.load_steps.unwrap_or(MOST_LOAD_STEPS);
+        if most > 0
+            && excitation.any()
+            && !exact(&problem, &candidates[0].0.fit)
+            && let Some(stepped) = stepped(&problem, &candidates, first, step, greatest, most)
+        {
+            problem = stepped.problem;
+            let found = stepped.joint;
+            let others = |(joint, _): &&(Joint, f64)| joint.fit.kind != found.fit.kind;
+            let starts = [found.noise, Noise::WHITE];
+            let again = candidates
+                .iter()
+                .filter(others)
+                .filter_map(|(other, _)| joint(&problem, other.fit.kind, step, greatest, &starts));
+            let mut all: Vec<Joint> = again.chain([found]).collect();
+            // The plain kind in front, as `choose` has it.
+            all.sort_by_key(|joint| joint.fit.kind != first);
+            all.retain(|joint| joint.fit.kind == first || sign * joint.fit.gain >= 0.0);
+            (candidates, choice) = choose(&problem, &all);
+        }
         Some(Self { joint: candidates[0].0, problem, candidates, choice, greatest, step, block })
     }
 
@@ -88,6 +109,38 @@ impl<'r> Found<'r> {
     }
 }
 
+/// The steps of the load beside the chosen kind, or beside the plain one where they make that the better explanation.
+fn stepped<'r>(
+    problem: &Problem<'r>,
+    candidates: &[(Joint, f64)],
+    first: Kind,
+    step: f64,
+    greatest: f64,
+    most: usize,
+) -> Option<Stepped<'r>> {
+    let chosen = &candidates[0];
+    let plain = candidates.iter().find(|(joint, _)| joint.fit.kind == first);
+    let plain = plain.filter(|(joint, _)| joint.fit.kind != chosen.0.fit.kind);
+    let with = |(joint, _): &(Joint, f64)| with_load_steps(problem, joint, step, greatest, most);
+    let cost = |found: &Stepped<'r>| criterion(&found.problem, &found.joint);
+    match (with(chosen), plain.and_then(with)) {
+        (of_chosen, None) => of_chosen,
+        (None, Some(of_plain)) => (cost(&of_plain) < criterion(problem, &chosen.0)).then_some(of_plain),
+        (Some(of_chosen), Some(of_plain)) => {
+            Some(if cost(&of_plain) < cost(&of_chosen) { of_plain } else { of_chosen })
+        }
+    }
+}
+
+/// Schwarz's criterion: own columns, gain, dead time and lag are paid for; the noise costs all kinds the same.
+fn criterion(problem: &Problem<'_>, joint: &Joint) -> f64 {
+    #[expect(clippy::cast_precision_loss, reason = "a number of rows, and a handful")]
+    let (rows, own) =
+        (problem.len() as f64, problem.own_columns(joint.fit.kind, joint.fit.lag.max(1e-9)).len() as f64);
+    let fitted = own + 2.0 + f64::from(u8::from(joint.fit.kind.has_lag()));
+    fitted * rows.ln() - 2.0 * joint.likelihood
+}
+
 /// Whether the input may be taken as constant before the record: it is at the start, or it is a hand's that seldom moves.
 fn at_rest(record: &Record, closed_loop: bool) -> bool {
     let input = record.manipulated_variable();
@@ -98,16 +151,8 @@ fn at_rest(record: &Record, closed_loop: bool) -> bool {
 
 /// Orders the candidates by Schwarz's criterion, the plain integrator in front unless another is clearly better.
 fn choose(problem: &Problem<'_>, joints: &[Joint]) -> (Vec<(Joint, f64)>, String) {
-    #[expect(clippy::cast_precision_loss, reason = "a number of rows")]
-    let rows = problem.len() as f64;
-    let criterion = |joint: &Joint| {
-        // Own columns, gain, dead time, lag; the noise costs all kinds the same.
-        #[expect(clippy::cast_precision_loss, reason = "a handful")]
-        let fitted = problem.own_columns(joint.fit.kind, joint.fit.lag.max(1e-9)).len() as f64;
-        let fitted = fitted + 2.0 + f64::from(u8::from(joint.fit.kind.has_lag()));
-        fitted * rows.ln() - 2.0 * joint.likelihood
-    };
-    let mut ranked: Vec<(Joint, f64)> = joints.iter().map(|joint| (*joint, criterion(joint))).collect();
+    let mut ranked: Vec<(Joint, f64)> =
+        joints.iter().map(|joint| (*joint, criterion(problem, joint))).collect();
     let plain = ranked[0].1;
     // A simulation without noise: the simplest kind that leaves rounding only.
     if let Some(place) = joints.iter().position(|joint| exact(problem, &joint.fit)) {

@@ -13,6 +13,7 @@ use super::excitation::{Excitation, moved_from_outside, outside};
 use super::identification::{Candidate, Identification, IdentifyOptions, Verdict};
 use super::identify::{Hold, Joint, Kind, Whitened, exact};
 use super::load::recover_load;
+use super::load_steps::load_steps;
 use super::valve::fault;
 use super::{Record, Survey};
 use crate::model::Seconds;
@@ -90,6 +91,7 @@ pub fn identify(record: &Record, options: &IdentifyOptions) -> Result<Identifica
         candidates: Vec::new(),
         excitation,
         controller,
+        load_steps: Vec::new(),
         load: None,
         fit: None,
         diagnosis: diagnose(None, None, &survey, excitation.closed_loop, None),
@@ -188,6 +190,7 @@ fn judge(
     answer.process = Some(process);
     answer.confidence = Some(confidence);
     answer.region = profile.region();
+    answer.load_steps = load_steps(problem, joint, &whitener, &inflation.gain);
     answer.load = recover_load(record, problem, joint);
     let model = process.process(Seconds(found.step)).ok().filter(|_| process.kind != Kind::FirstOrder);
     let rest = controller.and_then(|controller| not_from_outside(record, joint, controller));

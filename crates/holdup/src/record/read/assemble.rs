@@ -4,7 +4,6 @@ use super::ReadOptions;
 use super::civil::iso;
 use super::clock::{TimeFormat, Times, combined, times};
 use super::column::{Column, Heading, Place, Table, TextColumn};
-use super::encoding::readable;
 use super::error::ReadError;
 use super::mode::operation;
 use super::number::{DecimalMark, marks};
@@ -18,12 +17,18 @@ use crate::record::{Operation, Record};
 /// What is known of the file when its cells are read.
 pub(super) struct File {
     pub(super) format: &'static str,
+    /// `columns` or `readings`.
+    pub(super) layout: &'static str,
     pub(super) encoding: Option<&'static str>,
     pub(super) delimiter: Option<&'static str>,
     pub(super) heading_line: Option<usize>,
     pub(super) headings: Vec<Heading>,
     pub(super) roles: Roles,
     pub(super) table: Table,
+    /// The instants of the rows, where they are known already.
+    pub(super) times: Option<Times>,
+    /// Rows of data in the file.
+    pub(super) rows: usize,
 }
 
 /// Puts the record together.
@@ -33,7 +38,13 @@ pub(super) fn reading(
     mut repairs: Vec<Repair>,
 ) -> Result<Reading, ReadError> {
     let File { headings, roles, table, .. } = file;
-    let times = instants(file, options)?;
+    let own;
+    let times = if let Some(times) = &file.times {
+        times
+    } else {
+        own = instants(file, options)?;
+        &own
+    };
     repairs.extend(times.assumed.iter().cloned());
     let mark = decimal_mark(file, options, &mut repairs);
     let read = |column: usize| Values::of(table, column, mark);
@@ -42,7 +53,7 @@ pub(super) fn reading(
     let mut setpoint = roles.setpoint.map(read);
     let mut kept: Vec<usize> = (0..table.rows).filter(|row| times.instants[*row].is_some()).collect();
     let mode = roles.mode.map(|column| modes(file, column, &kept, options, &mut repairs));
-    undated(file, &times, &kept, &mut repairs)?;
+    undated(file, times, &kept, &mut repairs)?;
     for (values, column) in [(&controlled, roles.controlled), (&manipulated, roles.manipulated)] {
         if values.all_missing() {
             return Err(no_numbers(file, column));
@@ -112,6 +123,7 @@ pub(super) fn reading(
     }
     let found = Found {
         format: file.format,
+        layout: file.layout,
         encoding: file.encoding,
         delimiter: file.delimiter,
         decimal_mark: file.delimiter.map(|_| mark),
@@ -119,7 +131,7 @@ pub(super) fn reading(
         columns: columns(file),
         time_format: times.format,
         start: times.format.has_date().then(|| iso(start)),
-        rows_in_file: table.rows,
+        rows_in_file: file.rows,
         rows: record.len(),
     };
     Ok(Reading { record, found, repairs, start })
@@ -190,23 +202,12 @@ fn first_where(file: &File, holds: impl Fn(usize) -> bool) -> (Place, String, St
         TimeColumn::One(column) | TimeColumn::Two(column, _) => column,
         TimeColumn::None => 0,
     };
-    (file.table.place(row), cell_text(&file.table, column, row), one_line(&file.headings[column].name))
-}
-
-fn cell_text(table: &Table, column: usize, row: usize) -> String {
-    match table.column(column) {
-        Some(Column::Text(cells)) => one_line(&readable(cells.cell(row))),
-        Some(Column::Numbers(values)) => values.get(row).map_or_else(String::new, f64::to_string),
-        Some(Column::Instants(instants, _)) => {
-            instants.get(row).copied().flatten().map_or_else(|| "null".to_owned(), iso)
-        }
-        None => String::new(),
-    }
+    (file.table.place(row), file.table.text(column, row), one_line(&file.headings[column].name))
 }
 
 fn no_numbers(file: &File, column: usize) -> ReadError {
     let (name, rows) = (one_line(&file.headings[column].name), file.table.rows);
-    let value = cell_text(&file.table, column, 0);
+    let value = file.table.text(column, 0);
     ReadError::NoNumbers { place: file.table.place(0), column: name, value, rows }
 }
 

@@ -1,5 +1,9 @@
 //! The cells of one column, as the file has them.
 
+use super::civil::iso;
+use super::encoding::readable;
+use crate::model::text::one_line;
+
 /// Text cells, one after the other in one buffer.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct TextColumn {
@@ -90,6 +94,18 @@ impl Table {
     /// The cells of a column.
     pub(super) fn column(&self, number: usize) -> Option<&Column> {
         self.columns.iter().find(|(own, _)| *own == number).map(|(_, column)| column)
+    }
+
+    /// A cell for people, in one line.
+    pub(super) fn text(&self, column: usize, row: usize) -> String {
+        match self.column(column) {
+            Some(Column::Text(cells)) => one_line(&readable(cells.cell(row))),
+            Some(Column::Numbers(values)) => values.get(row).map_or_else(String::new, f64::to_string),
+            Some(Column::Instants(instants, _)) => {
+                instants.get(row).copied().flatten().map_or_else(|| "null".to_owned(), iso)
+            }
+            None => String::new(),
+        }
     }
 
     /// Where a row stands: its line, or its number where the file has no lines.

@@ -90,7 +90,7 @@ pub(super) fn dialect(text: &[u8]) -> Result<Dialect, ReadError> {
     let mut best: Option<(f64, Delimiter, Vec<Sampled>)> = None;
     for delimiter in DELIMITERS {
         let rows = sampled(sample, delimiter);
-        let score = score(&rows);
+        let score = score(&rows) * unity(&rows, delimiter);
         if score > best.as_ref().map_or(0.0, |(most, ..)| *most) {
             best = Some((score, delimiter, rows));
         }
@@ -201,20 +201,40 @@ fn usual_width(rows: &[Sampled]) -> Option<usize> {
     runs.first().copied()
 }
 
-/// The share of cells that are numbers, times or missing values, under one delimiter; 0 where no row has two.
+/// The mean over rows of the share of cells that are numbers, times or missing values, under one delimiter; 0 where no row
+/// has two. A row of another width than usual has none.
 fn score(rows: &[Sampled]) -> f64 {
     let half = second_half(rows);
     let Some(width) = usual_width(half) else { return 0.0 };
-    let (mut typed, mut all, mut strict) = (0_u32, 0_u32, 0_u32);
-    for row in half {
-        let usual = row.cells.len() == width;
-        for kind in row.kinds.iter().take(if usual { width } else { 1 }) {
-            all += 1;
-            typed += u32::from(usual && *kind != Kind::Text);
-            strict += u32::from(usual && !matches!(kind, Kind::Text | Kind::Missing));
-        }
+    let (mut sum, mut strict) = (0.0, false);
+    for row in half.iter().filter(|row| row.cells.len() == width) {
+        let typed = row.kinds.iter().filter(|kind| **kind != Kind::Text).count();
+        strict |= row.kinds.iter().any(|kind| !matches!(kind, Kind::Text | Kind::Missing));
+        #[expect(clippy::cast_precision_loss, reason = "a number of cells")]
+        let share = typed as f64 / width as f64;
+        sum += share;
     }
-    if strict == 0 { 0.0 } else { f64::from(typed) / f64::from(all) }
+    #[expect(clippy::cast_precision_loss, reason = "a number of rows")]
+    let rows = half.len() as f64;
+    if strict { sum / rows } else { 0.0 }
+}
+
+/// A tenth where most rows have a delimiter that is more likely one inside a text: then this delimiter cuts
+/// `31.01.2024 1:05:00 PM;LIC205.PV;50,1` into a date, a time of day and one text. Else 1.
+fn unity(rows: &[Sampled], delimiter: Delimiter) -> f64 {
+    let before = DELIMITERS.iter().take_while(|other| **other != delimiter);
+    let likelier: Vec<u8> = before
+        .filter_map(|other| match other {
+            Delimiter::Byte(byte) => Some(*byte),
+            Delimiter::Blank => None,
+        })
+        .collect();
+    let half = second_half(rows);
+    let cut = |row: &&Sampled| {
+        let mut texts = row.cells.iter().zip(&row.kinds).filter(|(_, kind)| **kind == Kind::Text);
+        texts.any(|(cell, _)| cell.iter().any(|byte| likelier.contains(byte)))
+    };
+    if half.iter().filter(cut).count() * 2 > half.len() { 0.1 } else { 1.0 }
 }
 
 /// What most cells of each column look like.
@@ -241,7 +261,9 @@ fn is_data(row: &Sampled, kinds: &[Kind], width: usize) -> bool {
         || row.kinds.iter().zip(kinds).filter(|(_, usual)| !matches!(usual, Kind::Text | Kind::Missing));
     let alike = pairs().filter(|(own, usual)| own == usual).count();
     let other = pairs().filter(|(own, usual)| own != usual && **own != Kind::Missing).count();
-    alike > other
+    // A timestamp where timestamps stand makes data of a row whose values are words, such as a mode's.
+    let dated = |(own, usual): (&Kind, &Kind)| own == usual && *usual == Kind::Instant;
+    alike > other || (row.cells.len() == width && pairs().any(dated))
 }
 
 /// The row of the head that names the columns: the one with most names that are understood, else the first.

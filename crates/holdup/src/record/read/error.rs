@@ -44,30 +44,36 @@ pub enum ReadError {
     #[error("is a Parquet file that cannot be read: {}", one_line(.0))]
     Parquet(String),
     /// A column that was asked for does not exist.
-    #[error("{option}: no column {given}{hint}; columns: {columns}")]
+    #[error("{option}: no {noun} {given}{hint}; {noun}s: {columns}")]
     NoColumn {
+        /// `column`, or `tag` where a row of the file is a reading of a tag.
+        noun: &'static str,
         /// The option.
         option: &'static str,
         /// What it says.
         given: String,
         /// The nearest name, as a question.
         hint: String,
-        /// The columns of the file.
+        /// The columns or tags of the file.
         columns: String,
     },
     /// A column that is needed was not found by its name.
-    #[error("no column is known to be the {what}: name it with {option}; columns: {columns}")]
+    #[error("no {noun} is known to be the {what}: name it with {option}; {noun}s: {columns}")]
     Missing {
+        /// `column`, or `tag` where a row of the file is a reading of a tag.
+        noun: &'static str,
         /// What the column would be.
         what: &'static str,
         /// The option that names it.
         option: &'static str,
-        /// The columns of the file.
+        /// The columns or tags of the file.
         columns: String,
     },
     /// Several columns may be meant.
-    #[error("several columns may be the {what}: {candidates}; name one with {option}")]
+    #[error("several {noun}s may be the {what}: {candidates}; name one with {option}")]
     Ambiguous {
+        /// `column`, or `tag` where a row of the file is a reading of a tag.
+        noun: &'static str,
         /// What the column would be.
         what: &'static str,
         /// The option that names it.
@@ -76,8 +82,10 @@ pub enum ReadError {
         candidates: String,
     },
     /// A column that was given two roles.
-    #[error("column {column} is given as {first} and as {second}: must be one of them")]
+    #[error("{noun} {column} is given as {first} and as {second}: must be one of them")]
     Twice {
+        /// `column`, or `tag` where a row of the file is a reading of a tag.
+        noun: &'static str,
         /// The column.
         column: String,
         /// One option.

@@ -2,7 +2,8 @@
 //!
 //! What is not told by [`ReadOptions`] is found out: the encoding, the delimiter, where the data begin and which row
 //! names the columns, the decimal mark, how times are written, which column is which. What has to be repaired or
-//! assumed on the way stands in [`Reading::repairs`] with the number of rows that it concerns.
+//! assumed on the way stands in [`Reading::repairs`] with the number of rows that it concerns. A row of the file is one of
+//! the record, or one reading of a tag: then the tags take the place of the columns.
 
 mod assemble;
 mod civil;
@@ -12,6 +13,7 @@ mod delimited;
 mod dialect;
 mod encoding;
 mod error;
+mod long;
 mod mode;
 mod names;
 mod number;
@@ -19,6 +21,7 @@ mod options;
 mod order;
 #[cfg(feature = "parquet")]
 mod parquet;
+mod pivot;
 mod reading;
 mod roles;
 mod rows;
@@ -100,16 +103,31 @@ pub fn read_bytes(bytes: &[u8], options: &ReadOptions) -> Result<Reading, ReadEr
     let (text, encoding) = encoding::text(bytes)?;
     let dialect = dialect::dialect(&text)?;
     let mut repairs = Vec::new();
+    if let Some(layout) = long::Layout::of(&dialect.headings, options, &mut repairs)? {
+        let table = delimited::table(&text, &dialect, &layout.needed(), &mut repairs);
+        let about = long::About {
+            format: "csv",
+            encoding: Some(encoding),
+            delimiter: Some(dialect.delimiter.name()),
+            heading_line: dialect.heading_line,
+        };
+        let file = layout.file(&about, &dialect.headings, &table, options, &mut repairs)?;
+        return assemble::reading(&file, options, repairs);
+    }
     let roles = roles::roles(&dialect.headings, options, &mut repairs)?;
     let table = delimited::table(&text, &dialect, &roles.needed(), &mut repairs);
+    let rows = table.rows;
     let file = assemble::File {
         format: "csv",
+        layout: "columns",
         encoding: Some(encoding),
         delimiter: Some(dialect.delimiter.name()),
         heading_line: dialect.heading_line,
         headings: dialect.headings,
         roles,
         table,
+        times: None,
+        rows,
     };
     assemble::reading(&file, options, repairs)
 }

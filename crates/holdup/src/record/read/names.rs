@@ -157,7 +157,8 @@ const NAMES: [(Role, u8, &[&str]); 9] = [
 ];
 
 /// Names of time columns.
-const TIMES: [&str; 20] = [
+const TIMES: [&str; 21] = [
+    "t stamp",
     "epoch",
     "unix time",
     "ts",
@@ -282,9 +283,9 @@ pub(super) fn says_time(name: &str) -> u8 {
 
 /// Whether a column tells how good values are.
 pub(super) fn says_quality(name: &str) -> bool {
-    words(name)
-        .iter()
-        .any(|word| ["quality", "qual", "status", "stat", "st", "qualität"].contains(&word.as_str()))
+    words(name).iter().any(|word| {
+        ["quality", "qual", "status", "stat", "st", "qualität", "dataintegrity"].contains(&word.as_str())
+    })
 }
 
 /// Where the words of `wanted` stand in a name. A single letter counts only as the first word or the whole.

@@ -6,6 +6,9 @@ use super::reading::{Repair, RepairKind, counted};
 /// One hour [ns].
 const HOUR: i64 = 3600 * SECOND;
 
+/// Readings of a tag that is seldom written: their order in the file says nothing.
+const FEW: usize = 40;
+
 /// Rows in order.
 #[derive(Debug)]
 pub(super) struct Ordered {
@@ -13,6 +16,59 @@ pub(super) struct Ordered {
     pub(super) rows: Vec<usize>,
     /// Their instants [ns], strictly increasing.
     pub(super) instants: Vec<i64>,
+}
+
+/// Rows of several tags, the oldest first.
+#[derive(Debug)]
+pub(super) struct InFile {
+    /// Numbers of the rows.
+    pub(super) rows: Vec<usize>,
+    /// Their instants [ns].
+    pub(super) instants: Vec<i64>,
+    /// Whether the tags' readings stand together by their times, and not one tag after the other.
+    pub(super) together: bool,
+}
+
+/// Puts the readings of several tags the oldest first and, where they stand together, undoes a wall clock that was put
+/// back: of a tag that is seldom written its own readings could not tell it.
+pub(super) fn in_file_order(
+    rows: Vec<usize>,
+    instants: Vec<i64>,
+    [local, dated]: [bool; 2],
+    tag: impl Fn(usize) -> usize,
+    repairs: &mut Vec<Repair>,
+) -> InFile {
+    let mut found = Ordered { rows, instants };
+    reverse(&mut found, repairs);
+    let mut seen = std::collections::HashSet::new();
+    let mut together = true;
+    for at in 0..found.rows.len() {
+        let new = seen.insert(tag(found.rows[at]));
+        together &= !(new && at > 0 && found.instants[at] < found.instants[at - 1]);
+    }
+    if together && local {
+        back(&mut found, dated, repairs);
+    }
+    InFile { rows: found.rows, instants: found.instants, together }
+}
+
+/// Puts the readings of one tag in the order of their times; `clock` says that a wall clock may have been put back.
+pub(super) fn sorted(
+    rows: Vec<usize>,
+    instants: Vec<i64>,
+    [clock, dated]: [bool; 2],
+    same: impl Fn(usize, usize) -> bool,
+    repairs: &mut Vec<Repair>,
+) -> Result<Ordered, Disorder> {
+    let mut found = Ordered { rows, instants };
+    if !found.instants.windows(2).all(|pair| pair[1] > pair[0]) {
+        if clock {
+            back(&mut found, dated, repairs);
+        }
+        sort(&mut found, FEW, repairs)?;
+        repeat(&mut found, same, repairs);
+    }
+    Ok(found)
 }
 
 /// Rows that no sorting makes a record: the first that goes back, and how many do.
@@ -41,7 +97,7 @@ pub(super) fn ordered(
     if local {
         back(&mut found, dated, repairs);
     }
-    sort(&mut found, repairs)?;
+    sort(&mut found, 0, repairs)?;
     repeat(&mut found, same, repairs);
     forward(&found, local && dated, repairs);
     Ok(found)
@@ -116,7 +172,8 @@ fn forward(found: &Ordered, asked: bool, repairs: &mut Vec<Repair>) {
     }
 }
 
-fn sort(found: &mut Ordered, repairs: &mut Vec<Repair>) -> Result<(), Disorder> {
+/// Sorts, unless too many rows come late; `few` rows may do so in any order.
+fn sort(found: &mut Ordered, few: usize, repairs: &mut Vec<Repair>) -> Result<(), Disorder> {
     let (mut latest, mut back, mut first) = (i64::MIN, 0, None);
     for (row, &instant) in found.rows.iter().zip(&found.instants) {
         if instant < latest {
@@ -127,7 +184,7 @@ fn sort(found: &mut Ordered, repairs: &mut Vec<Repair>) -> Result<(), Disorder> 
     }
     let Some(row) = first else { return Ok(()) };
     // A quarter of the rows is no longer a few that came late.
-    if back * 4 > found.rows.len() {
+    if back * 4 > found.rows.len().max(few) {
         return Err(Disorder { row, back });
     }
     let mut pairs: Vec<(i64, usize)> =

@@ -15,7 +15,7 @@ use super::dialect::{kind, split_unit};
 use super::error::ReadError;
 use super::reading::Reading;
 use super::rows::MOST_COLUMNS;
-use super::{PARQUET_THREAD, ReadOptions, roles};
+use super::{PARQUET_THREAD, ReadOptions, long, roles};
 
 /// Rows of the sample that says what text columns hold.
 const SAMPLE: usize = 200;
@@ -54,9 +54,35 @@ fn decoded(bytes: &[u8], options: &ReadOptions) -> Result<Reading, ReadError> {
         builder.with_batch_size(SAMPLE).build().map_err(refuse)?.next().transpose().map_err(refuse)?;
     let headings = headings(&schema, sample.as_ref())?;
     let mut repairs = Vec::new();
+    if let Some(layout) = long::Layout::of(&headings, options, &mut repairs)? {
+        let table = table(open()?, &layout.needed())?;
+        let about = long::About { format: "parquet", encoding: None, delimiter: None, heading_line: None };
+        let file = layout.file(&about, &headings, &table, options, &mut repairs)?;
+        return assemble::reading(&file, options, repairs);
+    }
     let roles = roles::roles(&headings, options, &mut repairs)?;
-    let needed = roles.needed();
-    let builder = open()?;
+    let table = table(open()?, &roles.needed())?;
+    let rows = table.rows;
+    let file = File {
+        format: "parquet",
+        layout: "columns",
+        encoding: None,
+        delimiter: None,
+        heading_line: None,
+        headings,
+        roles,
+        table,
+        times: None,
+        rows,
+    };
+    assemble::reading(&file, options, repairs)
+}
+
+/// The cells of the columns in `needed`.
+fn table(
+    builder: ParquetRecordBatchReaderBuilder<bytes::Bytes>,
+    needed: &[usize],
+) -> Result<Table, ReadError> {
     let mask = ProjectionMask::roots(builder.parquet_schema(), needed.iter().copied());
     let batches: Vec<RecordBatch> =
         builder.with_projection(mask).build().map_err(refuse)?.collect::<Result<_, _>>().map_err(refuse)?;
@@ -65,16 +91,7 @@ fn decoded(bytes: &[u8], options: &ReadOptions) -> Result<Reading, ReadError> {
         let parts = batches.iter().map(|batch| column(batch.column(place))).collect::<Result<Vec<_>, _>>()?;
         table.columns.push((number, joined(parts)));
     }
-    let file = File {
-        format: "parquet",
-        encoding: None,
-        delimiter: None,
-        heading_line: None,
-        headings,
-        roles,
-        table,
-    };
-    assemble::reading(&file, options, repairs)
+    Ok(table)
 }
 
 /// Checks that every column lies in the file: the reader takes that for granted.

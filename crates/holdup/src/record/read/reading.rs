@@ -55,6 +55,10 @@ pub enum RepairKind {
     DecimalMarkAssumed,
     /// A column was taken without a name that says it.
     ColumnAssumed,
+    /// Readings of several tags, one a row of the file, put together to rows.
+    PutTogether,
+    /// Readings between two rows of the record, not used.
+    BetweenRows,
 }
 
 /// One repair: what was done, to how many rows.
@@ -104,6 +108,8 @@ pub struct FoundColumn {
 pub struct Found {
     /// `csv` or `parquet`.
     pub format: &'static str,
+    /// `columns` where a row of the file is one of the record, `readings` where it is one reading of a tag.
+    pub layout: &'static str,
     /// Encoding of a text file.
     pub encoding: Option<&'static str>,
     /// What stands between the cells of a text file.
@@ -112,13 +118,13 @@ pub struct Found {
     pub decimal_mark: Option<DecimalMark>,
     /// Line of the heading, from 1; none where there is none.
     pub heading_line: Option<usize>,
-    /// All columns.
+    /// All columns; of readings the time and all tags.
     pub columns: Vec<FoundColumn>,
     /// How times are written.
     pub time_format: TimeFormat,
     /// Date and time of the first row (ISO 8601), where the file says it.
     pub start: Option<String>,
-    /// Rows of data in the file.
+    /// Rows of data in the file; of readings, their number.
     pub rows_in_file: usize,
     /// Rows of the record.
     pub rows: usize,

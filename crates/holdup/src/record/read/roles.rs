@@ -32,15 +32,22 @@ pub(super) struct Roles {
     pub(super) quality: Vec<usize>,
 }
 
+impl TimeColumn {
+    /// Its columns.
+    pub(super) fn columns(self) -> Vec<usize> {
+        match self {
+            Self::One(column) => vec![column],
+            Self::Two(date, clock) => vec![date, clock],
+            Self::None => Vec::new(),
+        }
+    }
+}
+
 impl Roles {
     /// All columns that must be read.
     pub(super) fn needed(&self) -> Vec<usize> {
-        let time = match self.time {
-            TimeColumn::One(column) => vec![column],
-            TimeColumn::Two(date, clock) => vec![date, clock],
-            TimeColumn::None => Vec::new(),
-        };
-        let mut all = [time, vec![self.controlled, self.manipulated], self.quality.clone()].concat();
+        let mut all =
+            [self.time.columns(), vec![self.controlled, self.manipulated], self.quality.clone()].concat();
         all.extend(self.setpoint);
         all.extend(self.mode);
         all.sort_unstable();
@@ -50,12 +57,7 @@ impl Roles {
 
     /// What a column is used as.
     pub(super) fn used_as(&self, column: usize) -> Option<&'static str> {
-        let time = match self.time {
-            TimeColumn::One(own) => own == column,
-            TimeColumn::Two(date, clock) => date == column || clock == column,
-            TimeColumn::None => false,
-        };
-        let role = if time {
+        let role = if self.time.columns().contains(&column) {
             Role::Time
         } else if column == self.controlled {
             Role::Controlled
@@ -78,50 +80,127 @@ pub(super) fn roles(
     options: &ReadOptions,
     repairs: &mut Vec<Repair>,
 ) -> Result<Roles, ReadError> {
-    let mut search = Search { headings, taken: Vec::new() };
-    for (role, given) in [
-        (Role::Controlled, &options.controlled_variable),
-        (Role::Manipulated, &options.manipulated_variable),
-        (Role::Setpoint, &options.setpoint),
-        (Role::Mode, &options.mode),
-        (Role::Time, &options.time),
-    ] {
-        if let Some(given) = given {
-            search.give(role, given)?;
-        }
+    let mut search = Search { headings, taken: Vec::new(), tags: false };
+    search.given(options)?;
+    if let Some(given) = &options.time {
+        search.give(Role::Time, given)?;
     }
     let time = search.time(options, repairs)?;
-    for rank in 0..3 {
-        for role in [Role::Controlled, Role::Manipulated, Role::Setpoint, Role::Mode] {
-            search.by_name(role, rank, repairs)?;
-        }
-    }
-    let needed = |role: Role| {
-        search.of(role).ok_or_else(|| ReadError::Missing {
-            what: role.phrase(),
-            option: role.option(),
-            columns: list(headings, 0..headings.len()),
-        })
-    };
-    let (controlled, manipulated) = (needed(Role::Controlled)?, needed(Role::Manipulated)?);
-    let free = |column: &usize| search.taken.iter().all(|(own, _)| own != column);
+    search.by_names(repairs)?;
+    let free = |column: &usize| search.is_free(*column);
     let quality = (0..headings.len()).filter(free).filter(|&column| says_quality(&headings[column].name));
-    Ok(Roles {
-        time,
-        controlled,
-        manipulated,
-        setpoint: search.of(Role::Setpoint),
-        mode: search.of(Role::Mode),
-        quality: quality.collect(),
-    })
+    let quality = quality.collect();
+    search.roles(time, quality)
+}
+
+/// The time among columns of which some are taken for something else.
+pub(super) fn find_time(
+    headings: &[Heading],
+    taken: &[usize],
+    options: &ReadOptions,
+    repairs: &mut Vec<Repair>,
+) -> Result<TimeColumn, ReadError> {
+    let taken = taken.iter().map(|column| (*column, Role::Controlled)).collect();
+    let mut search = Search { headings, taken, tags: false };
+    if let Some(given) = &options.time {
+        search.give(Role::Time, given)?;
+    } else if let Some(period) = options.sample_period {
+        let allowed =
+            "absent where a row of the file is a reading of a tag: readings have times of their own";
+        return Err(ReadError::Option { option: "--sample-period", given: format!("{period} s"), allowed });
+    }
+    search.time(options, repairs)
+}
+
+/// The roles of tags: the first heading is that of the time, the others are tags.
+pub(super) fn of_tags(
+    headings: &[Heading],
+    options: &ReadOptions,
+    repairs: &mut Vec<Repair>,
+) -> Result<Roles, ReadError> {
+    let mut search = Search { headings, taken: vec![(0, Role::Time)], tags: true };
+    search.given(options)?;
+    search.by_names(repairs)?;
+    search.roles(TimeColumn::One(0), Vec::new())
 }
 
 struct Search<'h> {
     headings: &'h [Heading],
     taken: Vec<(usize, Role)>,
+    /// Whether the headings are tags, with the time before them.
+    tags: bool,
 }
 
 impl Search<'_> {
+    /// What an error calls a heading.
+    fn noun(&self) -> &'static str {
+        if self.tags { "tag" } else { "column" }
+    }
+
+    /// All headings, for an error.
+    fn all(&self) -> String {
+        self.list(0..self.headings.len())
+    }
+
+    /// Headings for an error: columns with their numbers, tags without.
+    fn list(&self, columns: impl Iterator<Item = usize>) -> String {
+        let all: Vec<usize> = columns.filter(|column| !self.tags || *column > 0).collect();
+        let shown = all.iter().take(LISTED).map(|&n| {
+            let name = one_line(&self.headings[n].full);
+            if self.tags { format!("'{name}'") } else { format!("{} '{name}'", n + 1) }
+        });
+        let mut text = shown.collect::<Vec<_>>().join(", ");
+        if all.len() > LISTED {
+            text += &format!(" and {} more", all.len() - LISTED);
+        }
+        text
+    }
+
+    /// Takes what the options name.
+    fn given(&mut self, options: &ReadOptions) -> Result<(), ReadError> {
+        for (role, given) in [
+            (Role::Controlled, &options.controlled_variable),
+            (Role::Manipulated, &options.manipulated_variable),
+            (Role::Setpoint, &options.setpoint),
+            (Role::Mode, &options.mode),
+        ] {
+            if let Some(given) = given {
+                self.give(role, given)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Takes what names say, the clearest first.
+    fn by_names(&mut self, repairs: &mut Vec<Repair>) -> Result<(), ReadError> {
+        for rank in 0..3 {
+            for role in [Role::Controlled, Role::Manipulated, Role::Setpoint, Role::Mode] {
+                self.by_name(role, rank, repairs)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// What was found, with the time and the quality columns.
+    fn roles(&self, time: TimeColumn, quality: Vec<usize>) -> Result<Roles, ReadError> {
+        let needed = |role: Role| {
+            self.of(role).ok_or_else(|| ReadError::Missing {
+                noun: self.noun(),
+                what: role.phrase(),
+                option: role.option(),
+                columns: self.all(),
+            })
+        };
+        Ok(Roles {
+            time,
+            controlled: needed(Role::Controlled)?,
+            manipulated: needed(Role::Manipulated)?,
+            setpoint: self.of(Role::Setpoint),
+            mode: self.of(Role::Mode),
+            quality,
+        })
+    }
+
     fn of(&self, role: Role) -> Option<usize> {
         self.taken.iter().find(|(_, own)| *own == role).map(|(column, _)| *column)
     }
@@ -137,21 +216,29 @@ impl Search<'_> {
             heading.name.to_lowercase() == wanted || heading.full.to_lowercase() == wanted
         };
         let by_number = || {
-            let number: usize = wanted.parse().ok()?;
+            let number: usize = wanted.parse().ok().filter(|_| !self.tags)?;
             number.checked_sub(1).filter(|column| *column < self.headings.len())
         };
-        let column = self.headings.iter().position(named).or_else(by_number).ok_or_else(|| {
-            let near = nearest(given, self.headings.iter().map(|heading| heading.name.as_str()));
+        let first = usize::from(self.tags);
+        let by_name = self.headings.iter().skip(first).position(named).map(|place| place + first);
+        let column = by_name.or_else(by_number).ok_or_else(|| {
+            let near = nearest(given, self.headings.iter().skip(first).map(|heading| heading.name.as_str()));
             ReadError::NoColumn {
+                noun: self.noun(),
                 option: role.option(),
                 given: one_line(given),
                 hint: near.map_or_else(String::new, |near| format!(": did you mean '{}'?", one_line(near))),
-                columns: list(self.headings, 0..self.headings.len()),
+                columns: self.all(),
             }
         })?;
         if let Some((_, other)) = self.taken.iter().find(|(own, _)| *own == column) {
             let column = one_line(&self.headings[column].name);
-            return Err(ReadError::Twice { column, first: other.option(), second: role.option() });
+            return Err(ReadError::Twice {
+                noun: self.noun(),
+                column,
+                first: other.option(),
+                second: role.option(),
+            });
         }
         self.taken.push((column, role));
         Ok(())
@@ -215,9 +302,10 @@ impl Search<'_> {
             return Ok(TimeColumn::One(0));
         }
         Err(ReadError::Missing {
+            noun: self.noun(),
             what: "time",
             option: "--time, or give the --sample-period",
-            columns: list(self.headings, 0..self.headings.len()),
+            columns: self.all(),
         })
     }
 
@@ -233,8 +321,8 @@ impl Search<'_> {
     }
 
     fn ambiguous(&self, role: Role, candidates: &[usize]) -> ReadError {
-        let candidates = list(self.headings, candidates.iter().copied());
-        ReadError::Ambiguous { what: role.phrase(), option: role.option(), candidates }
+        let candidates = self.list(candidates.iter().copied());
+        ReadError::Ambiguous { noun: self.noun(), what: role.phrase(), option: role.option(), candidates }
     }
 
     /// Takes the one column whose name says the role with this rank; of several, the one of the same tag as a column
@@ -276,9 +364,10 @@ impl Search<'_> {
             _ if matches!(role, Role::Controlled | Role::Manipulated) => Err(self.ambiguous(role, &columns)),
             _ => {
                 let text = format!(
-                    "no {} is used, because several columns may be it: {}; {} names one",
+                    "no {} is used, because several {}s may be it: {}; {} names one",
                     role.phrase(),
-                    list(self.headings, columns.iter().copied()),
+                    self.noun(),
+                    self.list(columns.iter().copied()),
                     role.option()
                 );
                 if !repairs.iter().any(|repair| repair.text == text) {
@@ -299,15 +388,4 @@ impl Search<'_> {
         words.drain(first..end);
         words
     }
-}
-
-/// Columns with their numbers.
-pub(super) fn list(headings: &[Heading], columns: impl Iterator<Item = usize>) -> String {
-    let all: Vec<usize> = columns.collect();
-    let shown = all.iter().take(LISTED).map(|&n| format!("{} '{}'", n + 1, one_line(&headings[n].full)));
-    let mut text = shown.collect::<Vec<_>>().join(", ");
-    if all.len() > LISTED {
-        text += &format!(" and {} more", all.len() - LISTED);
-    }
-    text
 }
