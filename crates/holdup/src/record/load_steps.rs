@@ -27,7 +27,7 @@ impl LoadStep {
     pub fn text(&self) -> String {
         let ([from, to], [low, high]) = (ends(self.time_interval), ends(self.size_interval));
         format!(
-            "at {} s ({from} s to {to} s) the load changes by {} ({low} to {high}) of the manipulated variable",
+            "at {} s ({from} s to {to} s) the load changes by {} ({low} to {high}) in units of the manipulated variable",
             three(self.time),
             three(self.size)
         )

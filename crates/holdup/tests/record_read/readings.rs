@@ -216,6 +216,25 @@ fn tags_whose_names_say_nothing_are_listed_and_can_be_named() {
 }
 
 proptest! {
+    #[test]
+    fn a_damaged_export_is_read_or_refused_in_one_line(
+        at in 0_usize..2500, with in prop::collection::vec(any::<u8>(), 0..20), cut in 0_usize..60,
+    ) {
+        let mut bytes = text("Timestamp;Tag;Value;Status", ";", &changes(point, "LIC205."), "Good").into_bytes();
+        let at = at.min(bytes.len());
+        let end = (at + cut).min(bytes.len());
+        bytes.splice(at..end, with);
+        match read_bytes(&bytes, &ReadOptions::default()) {
+            Ok(reading) => {
+                let time = reading.record.time();
+                prop_assert!(time.windows(2).all(|pair| pair[1] > pair[0]));
+                // A damaged tag is another tag, a damaged stamp another time: no more rows than readings.
+                prop_assert!(reading.record.len() <= reading.found.rows_in_file);
+            }
+            Err(error) => prop_assert!(!error.to_string().contains(['\n', '\r']), "{}", error),
+        }
+    }
+
     /// Tags with times of their own, in any order of the tags at one time: each row has what was last written.
     #[test]
     fn the_last_value_before_each_row_is_held(
