@@ -1,32 +1,28 @@
 //! `holdup optimise`: the best controller of a structure under limits; averaging level control.
 
+mod asked;
+mod frontier;
+mod level;
+mod tabulated;
+
 use std::path::PathBuf;
 
 use clap::Args;
-use holdup::analysis::frequency::family::Family;
+use holdup::model::Process;
 use holdup::model::description::ControllerDescription;
-use holdup::model::quantity::{read_angle, read_number, read_time};
-use holdup::model::{Controller, Process};
-use holdup::study::figures::{Axis, Figure, FigureError, Mark, Panel, Series, Tone};
-use holdup::tuning::optimise::level::{Averaging, Demand, averaging};
-use holdup::tuning::optimise::{
-    Limits, Objective, Optimum, Point, Quantity, Structure, optimise, trade_off_with,
-};
-use holdup::tuning::ranking::{ORDERS, rank};
+use holdup::study::read_rules;
+use holdup::tuning::optimise::{Filter, Limits, Objective, Optimum, Quantity, Task, WHOLE};
 use serde_json::{Value, json};
 
 use super::view::{check_kind, controller_line, figure_file, margins_table, process_line};
 use crate::console::{Answer, Console};
 use crate::fault::Fault;
-use crate::input::process;
+use crate::input::{process, text_of};
 use crate::progress::Progress;
-use crate::table::{number, table, title};
+use crate::table::number;
 
 /// The sensitivity peaks of the frontier.
 const PEAKS: [f64; 9] = [1.2, 1.3, 1.4, 1.5, 1.6, 1.7, 1.8, 2.0, 2.3];
-
-/// The objectives by name.
-const OBJECTIVES: &str = "load_iae, setpoint_iae, weighted_iae, load_ise, setpoint_ise, control_energy, total_variation, robust_box, averaging";
 
 /// `holdup optimise`.
 #[derive(Debug, Args)]
@@ -34,9 +30,9 @@ pub(crate) struct OptimiseArgs {
     /// The process: K=…,d=…[,T=…][,integrators=2]
     #[arg(short, long, value_name = "K=…,d=…")]
     pub(crate) process: Option<String>,
-    /// The structure: p, pi, pi-b, pd, pid, pid-b, p+dob, pd+dob (-b: with setpoint weight)
-    #[arg(long, value_name = "STRUCTURE", default_value = "pi")]
-    pub(crate) structure: String,
+    /// The structure: pi where nothing is said; p, pi, pi-b, pd, pid, pid-b, p+dob, pd+dob (-b: with setpoint weight)
+    #[arg(long, value_name = "STRUCTURE")]
+    pub(crate) structure: Option<String>,
     /// What is to be least: load_iae, setpoint_iae, weighted_iae, load_ise, setpoint_ise, control_energy,
     /// total_variation, robust_box, or averaging (the gentlest valve of a level)
     #[arg(long, value_name = "OBJECTIVE", default_value = "load_iae")]
@@ -59,7 +55,11 @@ pub(crate) struct OptimiseArgs {
     /// Least delay margin
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     pub(crate) min_delay_margin: Option<String>,
-    /// Greatest gain from measurement to controller output at high frequency; makes the filter time a free setting
+    /// Filter of the derivative: free (a part of the design), none, or the ratio Tf/Td that is held; where nothing is said,
+    /// free if a limit on noise needs a filter, else none
+    #[arg(long, value_name = "FILTER", allow_hyphen_values = true)]
+    pub(crate) filter: Option<String>,
+    /// Greatest gain from measurement to controller output at high frequency
     #[arg(long, value_name = "GAIN", allow_hyphen_values = true)]
     pub(crate) max_noise_gain: Option<String>,
     /// Greatest IAE after a unit load step
@@ -68,6 +68,18 @@ pub(crate) struct OptimiseArgs {
     /// Greatest IAE after a unit setpoint step
     #[arg(long, value_name = "IAE", allow_hyphen_values = true)]
     pub(crate) max_setpoint_iae: Option<String>,
+    /// Greatest settling time: last time the error is more than 2 % of a setpoint step
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    pub(crate) max_settling_time: Option<String>,
+    /// Greatest variance of the controller output, as a multiple of that of the measurement's noise
+    #[arg(long, value_name = "RATIO", allow_hyphen_values = true)]
+    pub(crate) max_variance_gain: Option<String>,
+    /// With --max-variance-gain: the noise is white, a new value every TIME that is held
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    pub(crate) noise_sample_time: Option<String>,
+    /// With --max-variance-gain: the noise is white up to this frequency, and there is none above
+    #[arg(long, value_name = "RATE", allow_hyphen_values = true)]
+    pub(crate) noise_bandwidth: Option<String>,
     /// With robust_box: the shape of the box, half its width in gain and in dead time; the largest multiple that keeps
     /// --max-sensitivity is looked for
     #[arg(long, value_name = "GAIN:DEAD_TIME", default_value = "0.2:0.2", allow_hyphen_values = true)]
@@ -81,53 +93,87 @@ pub(crate) struct OptimiseArgs {
     /// Give also the best value for other sensitivity peaks
     #[arg(long)]
     pub(crate) trade_off: bool,
+    /// Draw these rules of your own on the frontier, too: a file with tables [[rule]] (formulas) or [[controller]], or a study
+    #[arg(long, value_name = "FILE.toml")]
+    pub(crate) rules: Option<PathBuf>,
+    /// Take the optimum from the table instead of a search: plain integrator, --max-sensitivity alone
+    #[arg(long)]
+    pub(crate) table: bool,
+    /// Print the tables in normalised form (K·Kc·d, Ti/d, …), of --structure where it is given
+    #[arg(long)]
+    pub(crate) tables: bool,
     /// Write a picture of that frontier, with the rules on it: .svg, .png or .html
     #[arg(long, value_name = "FILE")]
     pub(crate) plot: Option<PathBuf>,
 }
 
+impl OptimiseArgs {
+    /// The structure, PI where none is given.
+    fn structure(&self) -> &str {
+        self.structure.as_deref().unwrap_or("pi")
+    }
+}
+
 /// Searches.
 pub(crate) fn run(args: &OptimiseArgs, console: Console) -> Result<Answer, Fault> {
     args.plot.as_deref().map_or(Ok(()), check_kind)?;
+    if args.tables {
+        return tabulated::all(args, console);
+    }
     let process = process(args.process.as_ref())?;
     if args.objective == "averaging" {
-        return level(args, &process, console);
+        return level::level(args, &process, console);
     }
     for (option, given) in [("--load-step", &args.load_step), ("--excursion", &args.excursion)] {
         if given.is_some() {
             return Err(Fault::option(option, "must stand with --objective averaging"));
         }
     }
-    let structure = Structure::named(&args.structure).ok_or_else(|| {
-        let known: Vec<&str> = Structure::names().collect();
-        Fault::option("--structure", format!("'{}' must be one of {}", args.structure, known.join(", ")))
-    })?;
-    let limits = limits(args)?;
-    let objective = objective(args, &limits)?;
+    let structure = asked::structure(args.structure())?;
+    let filter = asked::filter(args, structure)?;
+    let limits = asked::limits(args, &process)?;
+    let objective = asked::objective(args, &limits)?;
+    if args.table {
+        return tabulated::one(args, &process, (structure, filter, objective), &limits, console);
+    }
+    let with_frontier = args.trade_off || args.plot.is_some();
+    let own = match &args.rules {
+        Some(_) if !with_frontier => {
+            return Err(Fault::option("--rules", "must stand with --trade-off or --plot, which draw them"));
+        }
+        Some(path) => {
+            let rules = read_rules(&text_of(path)?, &process).map_err(|error| Fault::text(path, &error))?;
+            frontier::achieved(&process, objective, rules)
+                .map_err(|error| Fault::input(format!("{}: {error}", path.display())))?
+        }
+        None => Vec::new(),
+    };
     // What is spent on the box is not a limit on the nominal loop.
     let limits = match objective {
         Objective::RobustBox { .. } => limits.without(Quantity::SensitivityPeak),
         _ => limits,
     };
-    let with_frontier = args.trade_off || args.plot.is_some();
-    let progress = Progress::without_end("optima", 1 + if with_frontier { PEAKS.len() as u64 } else { 0 });
-    let best = optimise(&process, structure, objective, &limits).map_err(Fault::input)?;
-    progress.add(1);
-    let frontier = if with_frontier {
-        let limits = limits.clone().without(Quantity::SensitivityPeak);
-        let mut each = || progress.add(1);
-        let points = trade_off_with(&process, structure, objective, &limits, &PEAKS, &mut each);
-        Some(points.map_err(Fault::input)?)
+    let mut task = Task::new(&process, structure, objective, &limits);
+    if let Some(filter) = filter {
+        task = task.with_filter(filter);
+    }
+    let optima = 1 + if with_frontier { PEAKS.len() as u64 } else { 0 };
+    let progress = Progress::without_end("thousandths of an optimum", WHOLE * optima);
+    let tell = |thousandths: u64| progress.add(thousandths);
+    let best = task.optimise(&tell).map_err(|error| refused(&error))?;
+    let points = if with_frontier {
+        Some(task.trade_off(&PEAKS, &tell).map_err(|error| refused(&error))?)
     } else {
         None
     };
     progress.end();
     let mut files = Vec::new();
-    if let (Some(path), Some(points)) = (&args.plot, &frontier) {
-        let figure = figure(&process, structure, objective, points).map_err(Fault::input)?;
+    if let (Some(path), Some(points)) = (&args.plot, &points) {
+        let figure = frontier::figure(&process, structure, objective, points, &own).map_err(Fault::input)?;
         files.push((path.clone(), figure_file(path, &figure)?));
     }
-    let warnings = warnings(&best);
+    let filter_is_a_choice = filter.is_none() && structure.differentiates() && task.filter() == Filter::Free;
+    let warnings = warnings(&best, filter_is_a_choice);
     let json = json!({
         "rule": null,
         "controller": ControllerDescription::from(&best.controller),
@@ -142,90 +188,30 @@ pub(crate) fn run(args: &OptimiseArgs, console: Console) -> Result<Answer, Fault
             "starts": best.starts, "agreeing": best.agreeing,
             "swept": best.swept, "least_swept": best.least_swept,
         },
-        "trade_off": frontier.as_ref().map(|points| points.iter().map(point_json).collect::<Vec<_>>()),
+        "trade_off": points.as_ref().map(|points| points.iter().map(frontier::point_json).collect::<Vec<_>>()),
+        "rules": args.rules.as_ref().map(|_| own.iter().map(frontier::own_json).collect::<Vec<_>>()),
         "warnings": warnings,
     });
     let mut text = String::new();
     if !console.json {
         text = told(&process, &best, objective, &limits, console);
-        if let Some(points) = &frontier {
-            text += &format!("\n{}", frontier_table(points, objective, console));
+        if let Some(points) = &points {
+            text += &format!("\n{}", frontier::text(points, &own, objective, console));
         }
     }
     Ok(Answer { json, text, warnings, files })
 }
 
-fn limits(args: &OptimiseArgs) -> Result<Limits, Fault> {
-    let degrees = |option: &str, text: &str| match text.parse::<f64>() {
-        Ok(_) => read_number(option, text).map(f64::to_radians),
-        Err(_) => read_angle(option, text),
-    };
-    let mut limits = Limits::default();
-    let options: [(&str, &Option<String>, Quantity, f64); 8] = [
-        ("--max-sensitivity", &args.max_sensitivity, Quantity::SensitivityPeak, 1.0),
-        ("--max-complementary", &args.max_complementary, Quantity::ComplementarySensitivityPeak, 1.0),
-        ("--min-gain-margin", &args.min_gain_margin, Quantity::GainMargin, 1.0),
-        ("--min-phase-margin", &args.min_phase_margin, Quantity::PhaseMargin, 0.0),
-        ("--min-delay-margin", &args.min_delay_margin, Quantity::DelayMargin, 0.0),
-        ("--max-noise-gain", &args.max_noise_gain, Quantity::NoiseGain, 0.0),
-        ("--max-load-iae", &args.max_load_iae, Quantity::LoadIae, 0.0),
-        ("--max-setpoint-iae", &args.max_setpoint_iae, Quantity::SetpointIae, 0.0),
-    ];
-    for (option, given, quantity, above) in options {
-        let Some(text) = given else { continue };
-        let value = match quantity {
-            Quantity::PhaseMargin => degrees(option, text),
-            Quantity::DelayMargin => read_time(option, text),
-            _ => read_number(option, text),
-        };
-        let value = value.map_err(Fault::input)?;
-        if value <= above {
-            return Err(Fault::option(option, format!("{text} must be greater than {above}")));
-        }
-        limits = limits.with(quantity, value);
-    }
-    Ok(limits)
+/// A refusal in the words of the command line.
+fn refused(error: &holdup::tuning::optimise::OptimiseError) -> Fault {
+    let text = error.to_string();
+    Fault::input(text.replace(
+        "the filter must be free or a ratio that is held",
+        "--filter must be free or the ratio Tf/Td that is held, such as 0.1",
+    ))
 }
 
-fn objective(args: &OptimiseArgs, limits: &Limits) -> Result<Objective, Fault> {
-    Ok(match args.objective.replace('-', "_").as_str() {
-        "load_iae" => Objective::LoadIae,
-        "setpoint_iae" => Objective::SetpointIae,
-        "load_ise" => Objective::LoadIse,
-        "setpoint_ise" => Objective::SetpointIse,
-        "control_energy" => Objective::ControlEnergy,
-        "total_variation" => Objective::TotalVariation,
-        "weighted_iae" => {
-            let load = read_number("--load-weight", &args.load_weight).map_err(Fault::input)?;
-            if !(0.0..=1.0).contains(&load) {
-                let message = format!("{} must be from 0 to 1", args.load_weight);
-                return Err(Fault::option("--load-weight", message));
-            }
-            Objective::Weighted { load }
-        }
-        "robust_box" => {
-            let wrong = || {
-                let message =
-                    format!("'{}' must be two half widths such as 0.2:0.2, each 0 to 1", args.robust_box);
-                Fault::option("--robust-box", message)
-            };
-            let (gain, dead_time) = args.robust_box.split_once(':').ok_or_else(wrong)?;
-            let half = |text: &str| read_number("--robust-box", text).map_err(Fault::input);
-            let (gain, dead_time) = (half(gain)?, half(dead_time)?);
-            let family = Family::ranges([1.0 - gain, 1.0 + gain], [1.0 - dead_time, 1.0 + dead_time]);
-            let family = family.map_err(|_| wrong())?;
-            let sensitivity_peak = limits.of(Quantity::SensitivityPeak).ok_or_else(|| {
-                Fault::option("--objective", "robust_box needs --max-sensitivity, which the box is to keep")
-            })?;
-            Objective::RobustBox { family, sensitivity_peak }
-        }
-        _ => {
-            let message = format!("'{}' must be one of {OBJECTIVES}", args.objective);
-            return Err(Fault::option("--objective", message));
-        }
-    })
-}
-
+/// The limits by name.
 fn specification(limits: &Limits) -> Value {
     let map = limits
         .list()
@@ -234,8 +220,15 @@ fn specification(limits: &Limits) -> Value {
     Value::Object(map.collect())
 }
 
-fn warnings(best: &Optimum) -> Vec<String> {
-    let mut sentences = Vec::new();
+/// What a reader must know.
+fn warnings(best: &Optimum, filter_is_a_choice: bool) -> Vec<String> {
+    let mut sentences = best.warnings.clone();
+    if filter_is_a_choice {
+        sentences.push(
+            "A limit on noise needs a filter of the derivative: its time is a part of the design (--filter free)."
+                .to_owned(),
+        );
+    }
     if best.starts > 1 && best.agreeing < 2 {
         sentences
             .push(format!("Only one of {} starts found this optimum: a better one may exist.", best.starts));
@@ -245,7 +238,7 @@ fn warnings(best: &Optimum) -> Vec<String> {
     }
     if best.controller.derivative_time().is_some() && best.controller.derivative_filter().is_none() {
         sentences.push(
-            "The derivative action is unfiltered: --max-noise-gain makes the filter a part of the design."
+            "The derivative action is unfiltered: --filter free or a limit on noise makes the filter a part of the design."
                 .to_owned(),
         );
     }
@@ -276,145 +269,10 @@ fn told(
     text += &margins_table(console, &[("achieved", &best.achieved)]);
     let iae = |integrals: Option<f64>| number(integrals);
     text += &format!(
-        " load IAE               {}\n setpoint IAE           {}\n",
+        " load IAE               {}\n setpoint IAE           {}\n settling time [s]      {}\n",
         iae(best.load.as_ref().and_then(|load| load.iae)),
-        iae(best.setpoint.as_ref().and_then(|setpoint| setpoint.iae))
+        iae(best.setpoint.as_ref().and_then(|setpoint| setpoint.iae)),
+        iae(best.setpoint.as_ref().and_then(|setpoint| setpoint.settling_time))
     );
     text
-}
-
-fn point_json(point: &Point) -> Value {
-    json!({
-        "sensitivity_peak": point.sensitivity_peak,
-        "value": point.value,
-        "controller": ControllerDescription::from(&point.controller),
-    })
-}
-
-fn frontier_table(points: &[Point], objective: Objective, console: Console) -> String {
-    let rows: Vec<Vec<String>> = points
-        .iter()
-        .map(|point| {
-            let setting = |value: Option<f64>| number(value);
-            vec![
-                number(point.sensitivity_peak),
-                number(point.value),
-                number(point.controller.proportional_gain()),
-                setting(point.controller.integral_time()),
-                setting(point.controller.derivative_time()),
-                setting(point.controller.observer().map(|observer| observer.gain())),
-            ]
-        })
-        .collect();
-    title(console, "What robustness costs")
-        + &table(console, &["M_s", objective.name(), "Kc", "Ti [s]", "Td [s]", "Ko"], &rows)
-}
-
-/// The frontier, and on it the rules of the same structure where the objective is one of the two IAE.
-fn figure(
-    process: &Process,
-    structure: Structure,
-    objective: Objective,
-    points: &[Point],
-) -> Result<Figure, FigureError> {
-    let (x, y) = points.iter().map(|point| (point.sensitivity_peak, point.value)).unzip();
-    let mut panel = Panel::new(Axis::linear("sensitivity peak M_s"), Axis::logarithmic(in_words(objective)));
-    let name = format!("best {}", structure.name().to_uppercase());
-    panel = panel.with_series(Series::new(name, x, y)?.with_tone(Tone::Slot(0)));
-    let ranked = rank(process, &ORDERS[0], |entry| entry.structure.eq_ignore_ascii_case(structure.name()));
-    let (mut peaks, mut values, mut names) = (Vec::new(), Vec::new(), Vec::new());
-    let greatest = PEAKS[PEAKS.len() - 1];
-    for rule in &ranked.rules {
-        // The rules are drawn where the ranking has the value of the objective.
-        let value = match objective {
-            Objective::LoadIae => rule.load_iae(),
-            Objective::SetpointIae => rule.setpoint_iae(),
-            _ => None,
-        };
-        let (Some(value), Some(peak)) = (value, rule.achieved.sensitivity_peak) else { continue };
-        if peak <= greatest {
-            peaks.push(peak);
-            values.push(value);
-            names.push(rule.entry.id.to_owned());
-        }
-    }
-    if !peaks.is_empty() {
-        let rules = Series::new("published rules", peaks, values)?.with_labels(&names)?;
-        panel = panel.with_series(rules.as_marks(Mark::Disc).with_tone(Tone::Slot(1)));
-    }
-    Figure::new("What robustness costs", vec![panel])
-}
-
-/// The objective as the label of an axis.
-fn in_words(objective: Objective) -> String {
-    let name = objective.name().replace('_', " ").replace("iae", "IAE").replace("ise", "ISE");
-    let unit = match objective {
-        Objective::LoadIse | Objective::SetpointIse => " [output unit² · s]",
-        Objective::ControlEnergy => " [input unit² · s]",
-        Objective::TotalVariation => " [input unit]",
-        Objective::LoadIae | Objective::SetpointIae | Objective::Weighted { .. } => " [output unit · s]",
-        _ => "",
-    };
-    name + unit
-}
-
-fn level(args: &OptimiseArgs, process: &Process, console: Console) -> Result<Answer, Fault> {
-    let needed = |option: &str, given: &Option<String>| match given {
-        Some(text) => read_number(option, text).map_err(Fault::input),
-        None => Err(Fault::option("--objective", format!("averaging needs {option}"))),
-    };
-    let demand = Demand {
-        load_step: needed("--load-step", &args.load_step)?,
-        excursion: needed("--excursion", &args.excursion)?,
-        sensitivity_peak: match &args.max_sensitivity {
-            Some(text) => read_number("--max-sensitivity", text).map_err(Fault::input)?,
-            None => 2.0,
-        },
-    };
-    let found = averaging(process, &demand).map_err(Fault::input)?;
-    let json = json!({
-        "rule": null,
-        "controller": ControllerDescription::from(&found.controller),
-        "specification": {
-            "load_step": demand.load_step, "excursion": demand.excursion, "sensitivity_peak": demand.sensitivity_peak,
-        },
-        "achieved": &found.achieved,
-        "objective": {"name": "valve_rate", "value": found.rate},
-        "constraint": [format!("excursion <= {}", demand.excursion)],
-        "excursion": found.excursion,
-        "bounds": {"valve_rate": found.least_rate},
-        "percent_of_best": {"valve_rate": 100.0 * found.rate / found.least_rate},
-        "proportional": found.proportional.as_ref().map(|(controller, rate)| json!({
-            "controller": ControllerDescription::from(controller), "valve_rate": rate,
-        })),
-        "warnings": [],
-    });
-    let text = if console.json { String::new() } else { told_level(process, &demand, &found, console) };
-    Ok(Answer { json, text, ..Answer::default() })
-}
-
-fn told_level(process: &Process, demand: &Demand, found: &Averaging, console: Console) -> String {
-    let mut text = format!("{}\non {}\n\n", controller_line(&found.controller), process_line(process));
-    text += &format!(
-        "After a load step of {} the level moves by {}, {} allowed\n\n",
-        number(demand.load_step),
-        number(found.excursion),
-        number(demand.excursion)
-    );
-    let row = |name: &str, controller: Option<&Controller>, rate: f64| {
-        vec![
-            name.to_owned(),
-            number(rate),
-            number(100.0 * rate / found.least_rate),
-            number(controller.map(Controller::proportional_gain)),
-            number(controller.and_then(Controller::integral_time)),
-        ]
-    };
-    let mut rows = vec![row("PI", Some(&found.controller), found.rate)];
-    if let Some((controller, rate)) = &found.proportional {
-        rows.push(row("P alone, leaves an error", Some(controller), *rate));
-    }
-    rows.push(row("best possible", None, found.least_rate));
-    text += &table(console, &["", "greatest rate [1/s]", "% of best", "Kc", "Ti [s]"], &rows);
-    text + "\n" + &margins_table(console, &[("PI", &found.achieved)])
 }
