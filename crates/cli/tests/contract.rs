@@ -443,6 +443,37 @@ fn robust_proves_and_samples_with_the_names_of_the_contract() {
 }
 
 #[test]
+fn optimise_answers_from_the_table_what_it_finds_by_search() {
+    let words = ["optimise", "-p", PROCESS, "--max-sensitivity", "1.6"];
+    let (searched, tabulated) = (json(&words), json(&[&words[..], &["--table"]].concat()));
+    has(&tabulated, &["controller", "achieved", "objective", "constraint", "table", "warnings"]);
+    has(&tabulated["table"], &["name", "normalised", "error"]);
+    let value = |json: &serde_json::Value| json["objective"]["value"].as_f64().unwrap();
+    let error = tabulated["table"]["error"]["value"].as_f64().unwrap();
+    assert!((value(&tabulated) / value(&searched) - 1.0).abs() <= error);
+    let tables = json(&["optimise", "--tables", "--structure", "pi"]);
+    let first = &tables[0];
+    has(first, &["structure", "objective", "unit", "range", "error", "rows"]);
+    assert!(tables.as_array().unwrap().iter().all(|table| table["structure"] == "pi"));
+}
+
+#[test]
+fn rules_of_ones_own_stand_on_the_frontier() {
+    let folder = folder("own_rules");
+    let (rules, plot) = (folder.join("rules.toml"), folder.join("frontier.svg"));
+    let text = "[[rule]]\nname = \"ours\"\nKc = \"0.4/(K*d)\"\nTi = \"6*d\"\n\n[[controller]]\nname = \"too fast\"\nproportional_gain = 9\nintegral_time_s = 9\n";
+    std::fs::write(&rules, text).unwrap();
+    let words = ["optimise", "-p", PROCESS, "--max-sensitivity", "1.6", "--rules", rules.to_str().unwrap()];
+    let value = json(&[&words[..], &["--plot", plot.to_str().unwrap()]].concat());
+    let ours = &value["rules"][0];
+    has(ours, &["name", "sensitivity_peak", "value", "controller"]);
+    // Of two settings near the optimum at M_s = 1.6, on or above the frontier.
+    assert!(ours["value"].as_f64().unwrap() > 26.0 && ours["sensitivity_peak"].as_f64().unwrap() < 1.65);
+    assert!(value["rules"][1]["value"].is_null());
+    assert!(std::fs::read_to_string(&plot).unwrap().contains("your rules"));
+}
+
+#[test]
 fn optimise_answers_as_tune_does() {
     let value = json(&["optimise", "-p", PROCESS, "--max-sensitivity", "1.6"]);
     has(

@@ -1,12 +1,16 @@
 //! The optimum under limits: against the frontier of the atlas, against neighbours, and what is refused.
 #![expect(clippy::unwrap_used, reason = "a test stops where a value is missing")]
 
+use std::sync::atomic::{AtomicU64, Ordering};
+
 use holdup::analysis::frequency::family::Family;
 use holdup::analysis::frequency::margins;
 use holdup::analysis::infinite_horizon::{Input, to_infinity};
+use holdup::analysis::noise::{Noise, variance_gain};
+use holdup::analysis::response::{Scenario, simulate};
 use holdup::model::{ClosedLoop, Controller, Process, Seconds};
 use holdup::tuning::optimise::{
-    Limits, Objective, OptimiseError, Optimum, Quantity, Structure, optimise, trade_off,
+    Filter, Limits, Objective, OptimiseError, Optimum, Quantity, Structure, Task, WHOLE, optimise, trade_off,
 };
 use holdup::tuning::ranking::{ORDERS, rank};
 
@@ -124,7 +128,18 @@ fn objectives_without_an_optimum_are_refused_with_the_reason() {
     assert!(refused(Structure::P, Objective::LoadIae, &at_most(2.0)).contains("integral action"));
     assert!(refused(Structure::Pi, Objective::TotalVariation, &at_most(2.0)).contains("load_iae"));
     let energy = at_most(2.0).with(Quantity::SetpointIae, 5.0);
-    assert!(refused(Structure::Pid, Objective::ControlEnergy, &energy).contains("noise_gain"));
+    assert!(refused(Structure::Pid, Objective::ControlEnergy, &energy).contains("filter"));
+    // A bare integral is fast enough only where something says so; a settling time does, too.
+    let settling = at_most(2.0).with(Quantity::SetpointSettlingTime, 8.0);
+    assert!(optimise(&normal(), Structure::P, Objective::ControlEnergy, &settling).is_ok());
+    for limited in [Quantity::NoiseGain, Quantity::VarianceGain(Noise::Held { sample_time: 0.1 })] {
+        let task = Task::new(&normal(), Structure::Pid, Objective::LoadIae, &at_most(2.0).with(limited, 3.0));
+        assert_eq!(task.filter(), Filter::Free);
+        let Err(OptimiseError::Degenerate(reason)) = task.with_filter(Filter::None).optimise(&|_| {}) else {
+            panic!("{limited:?}");
+        };
+        assert!(reason.contains(limited.name()) && reason.contains("infinite"), "{reason}");
+    }
     let family = Family::ranges([0.8, 1.2], [0.8, 1.2]).unwrap();
     let robust = Objective::RobustBox { family, sensitivity_peak: 2.0 };
     assert!(refused(Structure::Pi, robust, &Limits::default()).contains("load_iae"));
@@ -219,4 +234,85 @@ fn the_end_of_an_interval_that_shrinks_to_a_point_is_followed() {
     // met 15.531, a search that stops at that edge 15.544.
     let found = best(Structure::Pid, Objective::LoadIae, &at_most(1.3));
     assert!(found.value < 15.509 && found.agreeing >= 2, "{} {}", found.value, found.agreeing);
+}
+
+#[test]
+fn a_settling_time_that_is_limited_is_kept_by_the_exact_response() {
+    // P settles in 4 at the gain that just does not overshoot by 2 %; more time costs less energy.
+    let mut last = f64::INFINITY;
+    for longest in [4.5, 6.0, 9.0] {
+        let limits = at_most(2.5).with(Quantity::SetpointSettlingTime, longest);
+        let found = best(Structure::P, Objective::ControlEnergy, &limits);
+        let scenario = Scenario::unit_setpoint_step(Seconds(200.0)).unwrap();
+        let loop_of = ClosedLoop::new(&normal(), &found.controller);
+        let settled = simulate(&loop_of, &scenario).unwrap().metrics.settling_time.unwrap().0;
+        // The limit on a response is reached to 1e-9.
+        assert!(settled <= longest * (1.0 + 2e-9) && settled > 0.9 * longest, "{settled} {longest}");
+        assert!(found.value < last);
+        last = found.value;
+        assert_eq!(
+            found.setpoint.unwrap().settling_time.map(|time| (time - settled).abs() < 1e-6),
+            Some(true)
+        );
+    }
+}
+
+#[test]
+fn a_variance_gain_that_is_limited_is_kept_and_used_up() {
+    for noise in [Noise::Held { sample_time: 0.2 }, Noise::Band { bandwidth: 10.0 }] {
+        let limits = at_most(2.0).with(Quantity::VarianceGain(noise), 0.15);
+        let found = best(Structure::Pi, Objective::LoadIae, &limits);
+        let gain = variance_gain(&normal(), &found.controller, noise).unwrap();
+        // The limit on a response is reached to 1e-9, and PI without it has Kc = 0.5.
+        assert!(gain <= 0.15 * (1.0 + 2e-9) && gain > 0.15 * (1.0 - 1e-6), "{gain}");
+        assert!(found.agreeing >= 2, "{} of {}", found.agreeing, found.starts);
+    }
+}
+
+#[test]
+fn a_filter_that_is_held_is_held_and_one_that_is_free_is_found_by_most_starts() {
+    let limits = at_most(1.6).with(Quantity::NoiseGain, 5.0);
+    let task = |filter| {
+        Task::new(&normal(), Structure::Pid, Objective::LoadIae, &limits)
+            .with_filter(filter)
+            .optimise(&|_| {})
+            .unwrap()
+    };
+    let (free, held) = (task(Filter::Free), task(Filter::Held(0.2)));
+    let time = held.controller.derivative_filter().unwrap().time();
+    assert!((time / held.controller.derivative_time().unwrap() - 0.2).abs() < 1e-12); // one rounding each
+    assert!(
+        free.value <= held.value && 2 * free.agreeing > free.starts,
+        "{} of {}",
+        free.agreeing,
+        free.starts
+    );
+    // Five searches with kinks of three peaks met 6.9110 and nothing below.
+    assert!(free.value < 6.9112, "{}", free.value);
+}
+
+#[test]
+fn an_optimum_at_an_end_and_a_setting_without_a_part_are_said() {
+    let slow = best(Structure::Pi, Objective::SetpointIse, &at_most(1.6));
+    assert!(slow.warnings.iter().any(|warning| warning.contains("integral time ended at the upper end")));
+    let weighted = best(Structure::PiWeighted, Objective::LoadIae, &at_most(1.6));
+    assert!(weighted.controller.setpoint_weight() == 1.0 && weighted.warnings[0].contains("stays at 1"));
+    let plain = best(Structure::Pi, Objective::LoadIae, &at_most(1.6));
+    assert!(plain.warnings.is_empty() && (weighted.value / plain.value - 1.0).abs() < 1e-9);
+}
+
+#[test]
+fn progress_moves_within_an_optimum_and_ends_at_the_whole() {
+    let (told, calls) = (AtomicU64::new(0), AtomicU64::new(0));
+    let tell = |thousandths: u64| {
+        told.fetch_add(thousandths, Ordering::Relaxed);
+        calls.fetch_add(1, Ordering::Relaxed);
+    };
+    let task = Task::new(&normal(), Structure::Pi, Objective::LoadIae, &at_most(1.6));
+    task.optimise(&tell).unwrap();
+    assert_eq!(told.load(Ordering::Relaxed), WHOLE);
+    assert!(calls.load(Ordering::Relaxed) > 20);
+    told.store(0, Ordering::Relaxed);
+    task.trade_off(&[1.5, 1.7], &tell).unwrap();
+    assert_eq!(told.load(Ordering::Relaxed), 2 * WHOLE);
 }

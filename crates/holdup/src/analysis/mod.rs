@@ -7,4 +7,5 @@ mod exponential;
 pub mod frequency;
 pub mod infinite_horizon;
 pub mod metrics;
+pub mod noise;
 pub mod response;

@@ -126,6 +126,35 @@ impl ClosedLoop {
         Self { rates, channels, windows, controlled_variable: y, manipulated_variable: u, load_estimate }
     }
 
+    /// The same loop with noise of the measurement in the place of the setpoint: what the controller takes as the controlled
+    /// variable is `y` plus the noise, and the setpoint rests at 0.
+    ///
+    /// `None` where the noise goes through a derivative without filter, and with a dead-time compensator.
+    #[must_use]
+    pub fn with_noise_for_setpoint(&self, controller: &Controller) -> Option<Self> {
+        let unfiltered = controller.derivative_time().is_some() && controller.derivative_filter().is_none();
+        if unfiltered || controller.compensator().is_some() {
+            return None;
+        }
+        let measured = Source::State(self.controlled_variable);
+        // The rates of a process have no part of its output: whatever takes it is the controller.
+        let noisy = |sum: &Sum| {
+            let mut list = sum.0.clone();
+            list.retain(|(source, _)| !matches!(source, Source::Setpoint | Source::SetpointRate));
+            let sum = Sum(list);
+            let weight = sum.weight(measured);
+            if weight == 0.0 { sum } else { sum.plus(Source::Setpoint, weight) }
+        };
+        let mut closed = self.clone();
+        closed.rates = self.rates.iter().map(noisy).collect();
+        for channel in &mut closed.channels {
+            channel.input = noisy(&channel.input);
+        }
+        closed.manipulated_variable = noisy(&self.manipulated_variable);
+        closed.load_estimate = self.load_estimate.as_ref().map(noisy);
+        Some(closed)
+    }
+
     /// The rate of change of each state.
     #[must_use]
     pub fn rates(&self) -> &[Sum] {

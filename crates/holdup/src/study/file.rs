@@ -87,7 +87,7 @@ pub fn read_study(text: &str) -> Result<Study, TextError> {
         return Err(root.missing("scenario", "at least one table headed [[scenario]]"));
     }
     let names: Vec<&str> = scenarios.iter().map(|scenario| scenario.name.as_str()).collect();
-    let read = |section: &Section<'_>| controller(section, &process, &names);
+    let read = |section: &Section<'_>| controller(section, &process, Some(&names));
     let controllers = unique(root.sections("controller")?, read, |controller| &controller.name)?;
     if controllers.is_empty() {
         return Err(root.missing("controller", "at least one table headed [[controller]]"));
@@ -133,7 +133,7 @@ fn unique<T>(
     Ok(items)
 }
 
-fn named(section: &Section<'_>) -> Result<String, TextError> {
+pub(super) fn named(section: &Section<'_>) -> Result<String, TextError> {
     section.text("name")?.ok_or_else(|| section.missing("name", "a text that is not empty"))
 }
 
@@ -178,10 +178,11 @@ fn scenario_error(section: &Section<'_>, error: &ScenarioError) -> TextError {
     }
 }
 
-fn controller(
+/// A controller; the scenarios it is restricted to must be among those named, where any are.
+pub(super) fn controller(
     section: &Section<'_>,
     process: &Process,
-    scenarios: &[&str],
+    scenarios: Option<&[&str]>,
 ) -> Result<StudyController, TextError> {
     let keys = [&["name", "about", "rule", "scenarios"][..], term_keys(), extra_keys()].concat();
     section.only(&keys)?;
@@ -207,7 +208,7 @@ fn controller(
         Choice::Settings(controller_section(section)?)
     };
     let only = section.texts("scenarios")?;
-    for wanted in only.iter().flatten() {
+    for (wanted, scenarios) in only.iter().flatten().filter_map(|wanted| Some((wanted, scenarios?))) {
         known_scenario(section, "scenarios", wanted, scenarios)?;
     }
     Ok(StudyController { name, about: section.text("about")?, choice, scenarios: only, line: section.line() })

@@ -4,6 +4,7 @@ pub mod atlas;
 pub mod figures;
 mod file;
 pub mod output;
+mod own_rules;
 pub mod published;
 #[cfg(feature = "report")]
 pub mod record_report;
@@ -19,6 +20,7 @@ use crate::model::settings::Extras;
 use crate::model::{Controller, Process};
 
 pub use file::read_study;
+pub use own_rules::{OwnRule, read_rules};
 pub use run::{
     ControllerResult, End, FamilyResult, Member, PercentOfBest, Row, ScenarioResult, StudyError,
     StudyProblem, StudyResult, run_study,

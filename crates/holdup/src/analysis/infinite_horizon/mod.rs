@@ -28,6 +28,9 @@ const REST: f64 = 1e-9;
 /// How near the line −σ comes to the rightmost pole.
 const SHARE: f64 = 0.9;
 
+/// Band of the settling time, as a part of the setpoint step.
+const SETTLED: f64 = 0.02;
+
 /// Decay times after which a loop whose poles are not known to be complete counts as over.
 const UNPROVEN: f64 = 60.0;
 
@@ -44,6 +47,9 @@ pub struct InfiniteHorizon {
     pub total_variation: Option<f64>,
     /// Integral of the squared controller output [input unit² · s], up to the horizon.
     pub control_energy: Option<f64>,
+    /// Last time at which the error is more than 2 % of the setpoint step \[s\]; absent after a load step.
+    #[serde(rename = "settling_time_s")]
+    pub settling_time: Option<f64>,
     /// The horizon to which the response was simulated [s]; absent where no integral is finite.
     #[serde(rename = "horizon_s")]
     pub horizon: Option<f64>,
@@ -99,6 +105,7 @@ pub fn to_infinity(
             tail: None,
             total_variation: None,
             control_energy: None,
+            settling_time: None,
             horizon: None,
             warnings: vec![why],
         });
@@ -205,6 +212,7 @@ fn integrals(
     let scenario = scenario(input, Seconds(horizon))?;
     let response = simulate(&ClosedLoop::new(process, controller), &scenario)?;
     let mut metrics = response.metrics;
+    let mut settling_time = metrics.settling_time.map(|time| time.0);
     if let Some(decay) = decay {
         // What follows is e(H)·e^(−σt), and the controller output likewise about where it ends.
         let (error, end) = match input {
@@ -212,6 +220,9 @@ fn integrals(
             Input::Load => (-response.final_controlled_variable, -1.0),
         };
         let output = response.final_manipulated_variable - end;
+        if input == Input::Setpoint && error.abs() > SETTLED {
+            settling_time = Some(horizon + (error.abs() / SETTLED).ln() / decay);
+        }
         let more = |value: Option<f64>, rest: f64| value.map(|value| value + rest);
         metrics.iae = more(metrics.iae, error.abs() / decay);
         metrics.ise = more(metrics.ise, 0.5 * error * error / decay);
@@ -236,6 +247,7 @@ fn integrals(
         tail,
         total_variation: metrics.total_variation,
         control_energy,
+        settling_time,
         horizon: Some(horizon),
         warnings,
     })

@@ -1,5 +1,6 @@
 //! The controllers of a structure: their free settings apart from the proportional gain.
 
+use super::filter::Filter;
 use crate::model::{Controller, ModelError, Observer, Process, Seconds};
 
 /// The structure whose settings are free.
@@ -11,15 +12,15 @@ pub enum Structure {
     Pi,
     /// Kc, Ti and the setpoint weight b.
     PiWeighted,
-    /// Kc and Td, and the filter time where the noise gain is limited.
+    /// Kc and Td, and the filter time where [`Filter`] says so.
     Pd,
-    /// Kc, Ti and Td, and the filter time where the noise gain is limited.
+    /// Kc, Ti and Td, and the filter time where [`Filter`] says so.
     Pid,
     /// PID with the setpoint weight b; no derivative action on the setpoint.
     PidWeighted,
     /// Kc and the observer gain Ko.
     PObserver,
-    /// Kc, Td and the observer gain Ko, and the filter time where the noise gain is limited.
+    /// Kc, Td and the observer gain Ko, and the filter time where [`Filter`] says so.
     PdObserver,
 }
 
@@ -34,6 +35,9 @@ const NAMES: [(&str, Structure); 8] = [
     ("p+dob", Structure::PObserver),
     ("pd+dob", Structure::PdObserver),
 ];
+
+/// Parts nearer to 0 or 1 are at an end of the range.
+const AT_END: f64 = 1e-5;
 
 /// A free setting, as the search sees it: a number from 0 to 1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -57,6 +61,17 @@ impl Variable {
             Self::FilterRatio => [0.005, 3.0],
             Self::ObserverRatio => [0.005, 5.0],
             Self::SetpointWeight => [0.0, 1.5],
+        }
+    }
+
+    /// What it is, in words, and the unit in which it is searched.
+    fn words(self) -> [&'static str; 2] {
+        match self {
+            Self::IntegralTime => ["integral time", " times dead time and lag"],
+            Self::DerivativeTime => ["derivative time", " times dead time and lag"],
+            Self::FilterRatio => ["filter time", " times the derivative time"],
+            Self::ObserverRatio => ["observer gain", " times the proportional gain"],
+            Self::SetpointWeight => ["setpoint weight", ""],
         }
     }
 
@@ -99,8 +114,25 @@ impl Structure {
         matches!(self, Self::Pd | Self::Pid | Self::PidWeighted | Self::PdObserver)
     }
 
+    /// Whether there is integral action.
+    #[must_use]
+    pub fn integrates(self) -> bool {
+        matches!(self, Self::Pi | Self::PiWeighted | Self::Pid | Self::PidWeighted)
+    }
+
+    /// Whether there is a disturbance observer.
+    #[must_use]
+    pub fn observes(self) -> bool {
+        matches!(self, Self::PObserver | Self::PdObserver)
+    }
+
+    /// Whether the setpoint weight is a free setting.
+    pub(super) fn weights_setpoint(self) -> bool {
+        matches!(self, Self::PiWeighted | Self::PidWeighted)
+    }
+
     /// The free settings beside the gain.
-    pub(super) fn variables(self, filtered: bool) -> Vec<Variable> {
+    fn variables(self, filter: Filter) -> Vec<Variable> {
         use Variable::{DerivativeTime, FilterRatio, IntegralTime, ObserverRatio, SetpointWeight};
         let mut list = match self {
             Self::P => vec![],
@@ -112,7 +144,7 @@ impl Structure {
             Self::PObserver => vec![ObserverRatio],
             Self::PdObserver => vec![DerivativeTime, ObserverRatio],
         };
-        if filtered && self.differentiates() {
+        if filter == Filter::Free && self.differentiates() {
             list.push(FilterRatio);
         }
         list
@@ -124,6 +156,7 @@ impl Structure {
 pub(super) struct Design {
     pub(super) process: Process,
     pub(super) structure: Structure,
+    pub(super) filter: Filter,
     pub(super) variables: Vec<Variable>,
     /// Unit of time \[s\]: dead time and lag.
     pub(super) time: f64,
@@ -132,10 +165,42 @@ pub(super) struct Design {
 }
 
 impl Design {
-    pub(super) fn new(process: &Process, structure: Structure, filtered: bool) -> Self {
+    /// The search space. A setpoint weight is searched only where a setpoint step is looked at (`of_setpoint`): nothing else
+    /// depends on it, and it stays at 1.
+    pub(super) fn new(process: &Process, structure: Structure, filter: Filter, of_setpoint: bool) -> Self {
         let time = process.dead_time() + process.lag().unwrap_or(0.0);
         let gain = 1.0 / (process.process_gain() * time.powi(i32::from(process.integrators())));
-        Self { process: *process, structure, variables: structure.variables(filtered), time, gain }
+        let mut variables = structure.variables(filter);
+        variables.retain(|variable| of_setpoint || *variable != Variable::SetpointWeight);
+        Self { process: *process, structure, filter, variables, time, gain }
+    }
+
+    pub(super) fn weights_setpoint(&self) -> bool {
+        self.variables.contains(&Variable::SetpointWeight)
+    }
+
+    /// Whether there is a derivative without filter.
+    pub(super) fn unfiltered(&self) -> bool {
+        self.structure.differentiates() && self.filter == Filter::None
+    }
+
+    /// What ended at an end of the range that is searched, one sentence each.
+    pub(super) fn at_ends(&self, parts: &[f64]) -> Vec<String> {
+        let sentence = |(variable, part): (&Variable, &f64)| {
+            let [name, unit] = variable.words();
+            let [low, high] = variable.range();
+            let (end, value, way) = if *part >= 1.0 - AT_END {
+                ("upper", high, "larger")
+            } else if *part <= AT_END {
+                ("lower", low, "smaller")
+            } else {
+                return None;
+            };
+            Some(format!(
+                "The {name} ended at the {end} end of the range searched, {value}{unit}: a {way} one may be better still."
+            ))
+        };
+        self.variables.iter().zip(parts).filter_map(sentence).collect()
     }
 
     /// How much more gain than 1/(K·d) a loop bears whose lag is part of the unit of time.
@@ -157,7 +222,8 @@ impl Design {
         }
         if let Some(time) = value(Variable::DerivativeTime) {
             controller = controller.with_derivative_time(Seconds(time * self.time))?;
-            if let Some(ratio) = value(Variable::FilterRatio) {
+            let held = if let Filter::Held(ratio) = self.filter { Some(ratio) } else { None };
+            if let Some(ratio) = value(Variable::FilterRatio).or(held) {
                 controller = controller.with_filter_time(Seconds(ratio * time * self.time))?;
             }
         }

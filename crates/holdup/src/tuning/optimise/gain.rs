@@ -1,7 +1,7 @@
 //! The best proportional gain for given times and ratios.
 
 use super::design::Design;
-use super::limits::Limits;
+use super::limits::{Limits, Quantity};
 use super::objective::{Objective, Transients};
 use crate::analysis::frequency::margins;
 use crate::model::{ClosedLoop, Controller};
@@ -17,6 +17,10 @@ const NEAR: f64 = 1.01;
 const FARTHER: u32 = 6;
 /// How far about a minimum of a neighbour that of this design is looked for.
 const ASIDE: f64 = 1.03;
+/// Gains of the row where the limits jump.
+const ROW: u32 = 40;
+/// Relative width within which a limit on the responses is reached.
+const REACHED: f64 = 1e-12;
 /// Limits exceeded by more, relative, are too far away for the value to matter.
 const FAR_OUTSIDE: f64 = 0.1;
 /// A step down from the greatest gain that tells whether the value falls up to there.
@@ -47,6 +51,8 @@ pub(super) struct Candidate {
     pub(super) excess: f64,
     /// Whether the gain is the greatest that the limits allow.
     pub(super) at_end: bool,
+    /// Whether the gain is where a limit on the responses is reached.
+    pub(super) at_reach: bool,
 }
 
 /// What an exceeded limit costs: much more than it may buy.
@@ -166,7 +172,14 @@ impl<'a> Gains<'a> {
     /// The same next to a design whose best is known, where that helps: a fraction of the work.
     pub(super) fn best_near(&self, parts: &[f64], known: Option<Candidate>) -> Best {
         let Some(known) = known else { return self.best(parts) };
-        let found = if known.at_end { self.end_near(parts, known) } else { self.minimum_near(parts, known) };
+        let found = if known.at_end || !known.keeps() {
+            self.end_near(parts, known)
+        } else if known.at_reach {
+            self.reach_near(parts, known)
+        } else {
+            self.minimum_near(parts, known)
+        };
+
         found.unwrap_or_else(|| self.best(parts))
     }
 
@@ -195,6 +208,33 @@ impl<'a> Gains<'a> {
                 return (found.1 < 0.0).then(|| self.outside(parts, found));
             }
             (before, here) = (Some(here), there);
+            factor *= factor;
+        }
+        None
+    }
+
+    /// Where a limit on the responses is reached, next to that of a neighbour.
+    fn reach_near(&self, parts: &[f64], known: Candidate) -> Option<Best> {
+        let mut here = (known.gain, self.spare(parts, known.gain));
+        let mut factor = NEAR;
+        // The side on which the neighbour's limit is kept is told by a small step.
+        let rising = self.spare(parts, known.gain / BELOW) > here.1;
+        for _ in 0..FARTHER {
+            let keeps = here.1 >= 0.0;
+            let next = if keeps == rising { here.0 / factor } else { here.0 * factor };
+            let there = (next, self.spare(parts, next));
+            if keeps != (there.1 >= 0.0) {
+                let (inside, outside) = if keeps { (here, there) } else { (there, here) };
+                let precision = (REACHED, 0.1 * KEPT);
+                let gain = boundary(inside, outside, precision, &mut |gain| self.spare(parts, gain));
+                let found = self.candidate(parts, gain).filter(Candidate::keeps)?;
+                // It must keep the margins, and the value fall towards the limit.
+                let inwards = if rising { gain / BELOW } else { gain * BELOW };
+                let falls = self.candidate(parts, inwards).is_none_or(|other| other.merit() > found.merit());
+                let kept = falls && self.slack(parts, gain) >= 0.0;
+                return kept.then_some(Best::Of(Candidate { at_reach: true, ..found }));
+            }
+            here = there;
             factor *= factor;
         }
         None
@@ -273,11 +313,32 @@ impl<'a> Gains<'a> {
         let top = at(high).map(|found| Candidate { at_end: true, ..found });
         // Most often the value falls up to the greatest gain that is allowed.
         let below = at(high * BELOW);
-        if merit(&below) > merit(&top) {
+        let settling = Quantity::SetpointSettlingTime;
+        let jumps = self.limits.of(settling).is_some() || self.objective == Objective::Extreme(settling);
+        if merit(&below) > merit(&top) && !jumps {
             return top;
         }
-        let low = low();
+        let mut low = low();
+        if let (Some(longest), 1) = (self.limits.of(settling), self.design.process.integrators()) {
+            // With less gain more than a third of a step is left after that time.
+            low = low.max(self.design.time / longest).min(high);
+        }
         let mut tried: Vec<Candidate> = top.into_iter().chain(below).chain(at(low)).collect();
+        if jumps {
+            // The gains that keep such a limit may be several intervals: a row, and the least value about the best of it.
+            let part = (high / low).powf(1.0 / f64::from(ROW));
+            let row = (1..ROW).filter_map(|index| at(low * part.powf(f64::from(index))));
+            tried.extend(row);
+            let best = tried.iter().min_by(|a, b| a.merit().total_cmp(&b.merit())).map(|best| best.gain);
+            if let Some(gain) = best {
+                let (from, to) = ((gain / part).max(low), (gain * part).min(high));
+                least(from, to, self.precision.inside, &mut |gain| {
+                    let found = at(gain);
+                    tried.extend(found);
+                    merit(&found)
+                });
+            }
+        }
         least(low, high, self.precision.inside, &mut |gain| {
             let found = at(gain);
             tried.extend(found);
@@ -293,8 +354,9 @@ impl<'a> Gains<'a> {
                 let (kept, other) = if best.keeps() { (best, *neighbour) } else { (*neighbour, best) };
                 let spare = |gain: f64| self.spare(parts, gain);
                 let places = [kept, other].map(|found| (found.gain, spare(found.gain)));
-                let precision = (1e-12, 0.1 * KEPT);
+                let precision = (REACHED, 0.1 * KEPT);
                 let reached = at(boundary(places[0], places[1], precision, &mut |gain| spare(gain)));
+                let reached = reached.map(|found| Candidate { at_reach: true, ..found });
                 if let Some(reached) = reached.filter(|found| found.merit() < best.merit()) {
                     best = reached;
                 }
@@ -309,7 +371,7 @@ impl<'a> Gains<'a> {
         let transients = Transients::new(self.design, &controller);
         let excess = (-self.limits.spare(&transients)?).max(0.0);
         let value = self.objective.value(self.design, &controller, &transients)?;
-        let found = Candidate { controller, gain, value, excess, at_end: false };
+        let found = Candidate { controller, gain, value, excess, at_end: false, at_reach: false };
         value.is_finite().then_some(found)
     }
 

@@ -5,6 +5,7 @@ use std::fmt;
 use super::design::Design;
 use super::limits::{Limit, Limits};
 use super::objective::Objective;
+use super::progress::Progress;
 use super::search::find;
 
 /// Limits that no controller of the structure keeps together.
@@ -50,7 +51,7 @@ fn rounded(value: f64, up: bool) -> f64 {
 pub(super) fn conflict(design: &Design, limits: &Limits) -> Conflict {
     let nearest = |limit: &Limit| {
         let others = limits.clone().without(limit.quantity);
-        let found = find(design, Objective::Extreme(limit.quantity), &others)?;
+        let found = find(design, Objective::Extreme(limit.quantity), &others, &Progress::silent())?;
         let value = found.best.value;
         Some(if limit.quantity.is_greatest() { value } else { -value })
     };

@@ -5,10 +5,11 @@ use std::fmt;
 use super::objective::Transients;
 use crate::analysis::frequency::Margins;
 use crate::analysis::infinite_horizon::Input;
+use crate::analysis::noise::Noise;
 use crate::model::Controller;
 
 /// What is limited.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Quantity {
     /// Sensitivity peak M_s \[–\], at most.
     SensitivityPeak,
@@ -26,6 +27,13 @@ pub enum Quantity {
     LoadIae,
     /// IAE after a unit setpoint step \[output unit · s\], at most.
     SetpointIae,
+    /// Last time after a unit setpoint step at which the error is more than 2 % of it \[s\], at most.
+    ///
+    /// It jumps where a swing of the error just reaches 2 %. A load step has no band to settle in.
+    SetpointSettlingTime,
+    /// Variance of the controller output as a multiple of that of this noise of the measurement \[(input/output unit)²\], at
+    /// most.
+    VarianceGain(Noise),
 }
 
 impl Quantity {
@@ -41,6 +49,8 @@ impl Quantity {
             Self::NoiseGain => "noise_gain",
             Self::LoadIae => "load_iae",
             Self::SetpointIae => "setpoint_iae",
+            Self::SetpointSettlingTime => "setpoint_settling_time_s",
+            Self::VarianceGain(_) => "variance_gain",
         }
     }
 
@@ -48,6 +58,18 @@ impl Quantity {
     #[must_use]
     pub fn is_greatest(self) -> bool {
         !matches!(self, Self::GainMargin | Self::PhaseMargin | Self::DelayMargin)
+    }
+
+    /// Whether it is infinite where the derivative is not filtered.
+    #[must_use]
+    pub fn needs_filter(self) -> bool {
+        matches!(self, Self::NoiseGain | Self::VarianceGain(Noise::Held { .. }))
+    }
+
+    /// Whether it is about a setpoint step.
+    #[must_use]
+    pub fn is_of_setpoint(self) -> bool {
+        matches!(self, Self::SetpointIae | Self::SetpointSettlingTime)
     }
 
     /// A value for reading: degrees for an angle.
@@ -67,7 +89,18 @@ impl Quantity {
             Self::PhaseMargin => unlimited(achieved.phase_margin.map(|angle| angle.0.abs())),
             Self::DelayMargin => unlimited(achieved.delay_margin.map(|time| time.0)),
             Self::NoiseGain => unlimited(controller.noise_gain().map(f64::abs)),
-            Self::LoadIae | Self::SetpointIae => None,
+            Self::LoadIae | Self::SetpointIae | Self::SetpointSettlingTime | Self::VarianceGain(_) => None,
+        }
+    }
+
+    /// The value of a stable loop that its responses have; `None` where it is infinite.
+    fn of_transients(self, transients: &Transients<'_>) -> Option<f64> {
+        match self {
+            Self::LoadIae => transients.after(Input::Load)?.iae,
+            Self::SetpointIae => transients.after(Input::Setpoint)?.iae,
+            Self::SetpointSettlingTime => transients.after(Input::Setpoint)?.settling_time,
+            Self::VarianceGain(noise) => transients.variance(noise),
+            _ => Some(0.0),
         }
     }
 }
@@ -146,14 +179,11 @@ impl Limits {
         self.list.iter().filter_map(of).fold(1.0, f64::min)
     }
 
-    /// By how much a loop keeps every limit on an integral, relative and at most 1; `None` where one is infinite.
+    /// By how much a loop keeps every limit on its responses, relative and at most 1; `None` where one is infinite.
     pub(super) fn spare(&self, transients: &Transients<'_>) -> Option<f64> {
         let mut spare = 1.0_f64;
-        for (quantity, input) in [(Quantity::LoadIae, Input::Load), (Quantity::SetpointIae, Input::Setpoint)]
-        {
-            if let Some(greatest) = self.of(quantity) {
-                spare = spare.min(1.0 - transients.after(input)?.iae? / greatest);
-            }
+        for limit in &self.list {
+            spare = spare.min(1.0 - limit.quantity.of_transients(transients)? / limit.value);
         }
         Some(spare)
     }

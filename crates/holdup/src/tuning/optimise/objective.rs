@@ -2,12 +2,14 @@
 
 use std::cell::OnceCell;
 
-use super::design::Design;
+use super::design::{Design, Structure};
+use super::filter::Filter;
 use super::limits::{Limits, Quantity};
 use crate::analysis::bounds::Bounds;
 use crate::analysis::frequency::family::Family;
 use crate::analysis::frequency::margins;
 use crate::analysis::infinite_horizon::{InfiniteHorizon, Input, to_infinity_unproven};
+use crate::analysis::noise::{Noise, variance_gain};
 use crate::analysis::response::Scenario;
 use crate::model::{ClosedLoop, Controller, Process, Seconds};
 use crate::tuning::robust::largest_family;
@@ -63,6 +65,32 @@ impl Objective {
         }
     }
 
+    /// The value for a **stable** loop; absent where it is infinite or out of reach.
+    ///
+    /// ```
+    /// use holdup::model::{Controller, Process, Seconds};
+    /// use holdup::tuning::optimise::Objective;
+    /// let process = Process::integrating(1.0, Seconds(1.0))?;
+    /// let simc = Controller::proportional(0.5)?.with_integral_time(Seconds(8.0))?;
+    /// assert!((Objective::LoadIae.of(&process, &simc).unwrap() - 16.0).abs() < 1e-7);
+    /// assert_eq!(Objective::LoadIae.of(&process, &Controller::proportional(0.5)?), None);
+    /// # Ok::<(), holdup::model::ModelError>(())
+    /// ```
+    #[must_use]
+    pub fn of(self, process: &Process, controller: &Controller) -> Option<f64> {
+        let design = Design::new(process, Structure::P, Filter::None, false);
+        self.value(&design, controller, &Transients::new(&design, controller))
+    }
+
+    /// Whether it looks at a setpoint step.
+    pub(super) fn is_of_setpoint(self) -> bool {
+        match self {
+            Self::Weighted { load } => load < 1.0,
+            Self::Extreme(quantity) => quantity.is_of_setpoint(),
+            _ => matches!(self, Self::SetpointIae | Self::SetpointIse | Self::ControlEnergy),
+        }
+    }
+
     /// Why this objective has no optimum for this structure under these limits.
     pub(super) fn degenerate(self, design: &Design, limits: &Limits) -> Option<String> {
         let structure = design.structure;
@@ -77,19 +105,27 @@ impl Objective {
                 structure.name()
             ));
         }
-        let fast = limits.of(Quantity::LoadIae).or(limits.of(Quantity::SetpointIae));
+        let fast = [Quantity::LoadIae, Quantity::SetpointIae, Quantity::SetpointSettlingTime];
         let slow_is_best =
             matches!(self, Self::ControlEnergy | Self::TotalVariation | Self::RobustBox { .. });
-        if slow_is_best && fast.is_none() {
+        if slow_is_best && fast.iter().all(|quantity| limits.of(*quantity).is_none()) {
             return Some(format!(
-                "{} is least for no control at all: a limit on load_iae or setpoint_iae is needed beside it",
+                "{} is least for no control at all: a limit on load_iae, setpoint_iae or setpoint_settling_time_s is needed beside it",
                 self.name()
             ));
         }
-        if matches!(self, Self::ControlEnergy) && structure.differentiates() && !filtered(design) {
+        if matches!(self, Self::ControlEnergy) && design.unfiltered() {
             return Some(
-                "control_energy of an unfiltered derivative is infinite after a setpoint step: a limit on noise_gain, which brings a filter, is needed".to_owned(),
+                "control_energy of an unfiltered derivative is infinite after a setpoint step: the filter must be free or a ratio that is held".to_owned(),
             );
+        }
+        if let Some(limit) = limits.list().iter().find(|limit| limit.quantity.needs_filter())
+            && design.unfiltered()
+        {
+            return Some(format!(
+                "{} of an unfiltered derivative is infinite: the filter must be free or a ratio that is held",
+                limit.quantity.name()
+            ));
         }
         None
     }
@@ -106,6 +142,8 @@ impl Objective {
         match self {
             Self::LoadIae | Self::Extreme(Quantity::LoadIae) => over(Input::Load)?.iae,
             Self::SetpointIae | Self::Extreme(Quantity::SetpointIae) => over(Input::Setpoint)?.iae,
+            Self::Extreme(Quantity::SetpointSettlingTime) => over(Input::Setpoint)?.settling_time,
+            Self::Extreme(Quantity::VarianceGain(noise)) => transients.variance(noise),
             Self::LoadIse => over(Input::Load)?.ise,
             Self::SetpointIse => over(Input::Setpoint)?.ise,
             Self::ControlEnergy => over(Input::Setpoint)?.control_energy,
@@ -132,10 +170,6 @@ impl Objective {
     }
 }
 
-fn filtered(design: &Design) -> bool {
-    design.variables.contains(&super::design::Variable::FilterRatio)
-}
-
 /// The responses of a loop to unit steps, each followed once, when it is asked for.
 pub(super) struct Transients<'a> {
     process: &'a Process,
@@ -146,6 +180,11 @@ pub(super) struct Transients<'a> {
 }
 
 impl<'a> Transients<'a> {
+    /// Variance of the controller output for noise of variance 1; `None` where it is infinite or out of reach.
+    pub(super) fn variance(&self, noise: Noise) -> Option<f64> {
+        variance_gain(self.process, self.controller, noise)
+    }
+
     pub(super) fn new(design: &'a Design, controller: &'a Controller) -> Self {
         let (load, setpoint) = (OnceCell::new(), OnceCell::new());
         Self { process: &design.process, controller, longest: LONGEST * design.time, load, setpoint }

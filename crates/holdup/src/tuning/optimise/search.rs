@@ -5,16 +5,20 @@ use thiserror::Error;
 
 use super::design::{Design, Structure};
 use super::gain::{Candidate, Gains, OUTSIDE, POLISHED, SEARCHING, SWEEPING};
-use super::infeasible::{Conflict, conflict};
-use super::limits::{Limits, Quantity};
+use super::infeasible::Conflict;
+use super::limits::Limits;
 use super::objective::Objective;
+use super::progress::{self, Progress};
 use super::simplex::minimise;
-use crate::analysis::frequency::{FrequencyError, Margins, margins};
-use crate::analysis::infinite_horizon::{InfiniteHorizon, Input, to_infinity};
-use crate::model::{ClosedLoop, Controller, Process};
+use super::task::Task;
+use crate::analysis::frequency::{FrequencyError, Margins};
+use crate::analysis::infinite_horizon::InfiniteHorizon;
+use crate::model::{Controller, Process};
 
 /// Starts, and one more for each variable.
 const STARTS: usize = 2;
+/// Rounds of searches: the second and later ones from where one ended apart from the best.
+const ROUNDS: u64 = 4;
 /// Points of the sweep over the whole space, for one variable and for more.
 const SWEEP_OF_ONE: usize = 40;
 const SWEEP: usize = 160;
@@ -26,7 +30,7 @@ const FIRST: f64 = 0.12;
 pub(super) const SEARCHED: f64 = 1e-5;
 const LAST: f64 = 1e-3;
 const AGAIN: f64 = 0.03;
-const FINEST: f64 = 1e-8;
+pub(super) const FINEST: f64 = 1e-8;
 /// Relative difference up to which two starts have found the same.
 const AGREE: f64 = 1e-5;
 
@@ -51,6 +55,8 @@ pub struct Optimum {
     pub swept: usize,
     /// The least value that the sweep alone met.
     pub least_swept: Option<f64>,
+    /// What ended at an end of the range that is searched, and what has no part in the optimum.
+    pub warnings: Vec<String>,
 }
 
 /// Why there is no optimum.
@@ -89,26 +95,7 @@ pub fn optimise(
     objective: Objective,
     limits: &Limits,
 ) -> Result<Optimum, OptimiseError> {
-    let design = Design::new(process, structure, limits.of(Quantity::NoiseGain).is_some());
-    if let Some(reason) = objective.degenerate(&design, limits) {
-        return Err(OptimiseError::Degenerate(reason));
-    }
-    let Some(found) = find(&design, objective, limits) else {
-        return Err(OptimiseError::Infeasible(conflict(&design, limits)));
-    };
-    let controller = found.best.controller;
-    let integrals = |input| to_infinity(process, &controller, input).ok();
-    Ok(Optimum {
-        controller,
-        value: found.best.value,
-        achieved: margins(&ClosedLoop::new(process, &controller))?,
-        load: integrals(Input::Load).filter(|_| structure.rejects_load()),
-        setpoint: integrals(Input::Setpoint),
-        starts: found.starts,
-        agreeing: found.agreeing,
-        swept: found.swept,
-        least_swept: found.least_swept,
-    })
+    Task::new(process, structure, objective, limits).optimise(&|_| {})
 }
 
 /// What the search found.
@@ -116,14 +103,19 @@ pub fn optimise(
 pub(super) struct Found {
     pub(super) best: Candidate,
     pub(super) parts: Vec<f64>,
-    starts: usize,
-    agreeing: usize,
-    swept: usize,
-    least_swept: Option<f64>,
+    pub(super) starts: usize,
+    pub(super) agreeing: usize,
+    pub(super) swept: usize,
+    pub(super) least_swept: Option<f64>,
 }
 
 /// Sweeps, searches from the best points of the sweep and from others, and sweeps once more about what was found.
-pub(super) fn find(design: &Design, objective: Objective, limits: &Limits) -> Option<Found> {
+pub(super) fn find(
+    design: &Design,
+    objective: Objective,
+    limits: &Limits,
+    progress: &Progress<'_>,
+) -> Option<Found> {
     let count = design.variables.len();
     let with = |precision| Gains::new(design, objective, limits, precision);
     let (sweeping, searching, polish) = (with(SWEEPING), with(SEARCHING), with(POLISHED));
@@ -132,22 +124,42 @@ pub(super) fn find(design: &Design, objective: Objective, limits: &Limits) -> Op
         1 => lattice(1, SWEEP_OF_ONE),
         _ => lattice(count, SWEEP),
     };
-    let mut sweep = swept(&sweeping, points);
-    let ends: Vec<End> = starts(&sweep, STARTS + count)
+    let mut sweep = swept(&sweeping, points, progress);
+    let starts = starts(&sweep, STARTS + count);
+    let share = progress::SEARCHES / (ROUNDS * starts.len() as u64).max(1);
+    let mut ends: Vec<End> = starts
         .into_par_iter()
-        .map(|start| search_from(&searching, &start, FIRST, SEARCHED))
+        .map(|start| search_from(&searching, &start, FIRST, SEARCHED, &mut progress.search(share)))
         .collect();
+    // One that ended apart from the best goes on from there: on kinks a search may end too early.
+    for _ in 1..ROUNDS {
+        let best = ends.iter().map(End::value).fold(f64::INFINITY, f64::min);
+        let apart = |end: &End| end.value() > best + AGREE * best.abs() && end.value() < OUTSIDE;
+        ends = ends
+            .into_par_iter()
+            .map(|end| {
+                let mut watch = progress.search(share);
+                if !apart(&end) {
+                    return end;
+                }
+                let next = search_from(&searching, &end.parts, AGAIN, SEARCHED, &mut watch);
+                if next.value() < end.value() { next } else { end }
+            })
+            .collect();
+    }
     let kept: Vec<&End> = ends.iter().filter(|end| end.best.is_some()).collect();
     // Where none keeps the limits, the search goes on from the one that comes nearest.
     let mut end =
         (*kept.iter().copied().chain(&ends).min_by(|a, b| a.value().total_cmp(&b.value()))?).clone();
     // What is found about the optimum is better only where the search ended too early: then it goes on from there.
     for size in [LAST, AGAIN, AGAIN] {
-        let next = search_from(&polish, &end.parts, size, FINEST);
+        let mut watch = progress.search(progress::END / 4);
+        let next = search_from(&polish, &end.parts, size, FINEST, &mut watch);
+        drop(watch);
         if next.value() < end.value() {
             end = next;
         }
-        let about = swept(&sweeping, about(&end.parts));
+        let about = swept(&sweeping, about(&end.parts), &Progress::silent());
         let better = about.first().filter(|point| point.1 < end.value() - AGREE * end.value().abs()).cloned();
         sweep.extend(about);
         match better {
@@ -187,10 +199,17 @@ impl End {
 
 /// The local search; each design starts from the gain of the one before it. The least merit may lie a rounding outside of the
 /// limits: what counts is the best that keeps them.
-pub(super) fn search_from(gains: &Gains<'_>, start: &[f64], size: f64, finest: f64) -> End {
+pub(super) fn search_from(
+    gains: &Gains<'_>,
+    start: &[f64],
+    size: f64,
+    finest: f64,
+    watch: &mut progress::Search<'_>,
+) -> End {
     let mut known: Option<Candidate> = None;
     let mut kept: Option<(Vec<f64>, Candidate)> = None;
     let mut value = |parts: &[f64]| {
+        watch.evaluated();
         let found = gains.best_near(parts, known);
         known = found.candidate().or(known);
         let better = |found: &Candidate| {
@@ -210,9 +229,11 @@ pub(super) fn search_from(gains: &Gains<'_>, start: &[f64], size: f64, finest: f
 }
 
 /// These points with their merit, the best first.
-fn swept(gains: &Gains<'_>, points: Vec<Vec<f64>>) -> Vec<(Vec<f64>, f64)> {
+fn swept(gains: &Gains<'_>, points: Vec<Vec<f64>>, progress: &Progress<'_>) -> Vec<(Vec<f64>, f64)> {
+    let share = progress::SWEEP / (points.len() as u64).max(1);
     let at = |parts: Vec<f64>| {
         let merit = gains.best(&parts).merit();
+        progress.add(share);
         (parts, merit)
     };
     let mut sweep: Vec<(Vec<f64>, f64)> = points.into_par_iter().map(at).collect();

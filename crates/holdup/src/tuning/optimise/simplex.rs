@@ -1,10 +1,11 @@
 //! The least value on the unit cube of a function with kinks: where two peaks are equally high, the value has one.
 //!
 //! Simplex search (J. A. Nelder and R. Mead, Computer J. 7, 1965, 308–313) is quick, but its simplex may collapse on a kink
-//! before the end of it. So where it stops the descent out of all gradients nearby is asked for, and the simplex starts again
-//! from there, until there is none.
+//! before the end of it. So where it has become small a quasi-Newton search goes on, then the descent out of all gradients
+//! nearby is asked for, and the simplex starts again from there, until there is none.
 
 use super::kink::descend;
+use super::quasi_newton::follow;
 use crate::tuning::line::least;
 
 /// A value on the unit cube.
@@ -12,6 +13,11 @@ pub(super) type Value<'a> = dyn FnMut(&[f64]) -> f64 + 'a;
 
 /// Relative gain of a search below which the next is the last, as a part of the size at which a search ends.
 const GAIN: f64 = 1e-2;
+/// A simplex as small as this part of what it was has done its work.
+const COARSE: f64 = 1e-2;
+/// Least and most over which differences are taken: rounding against curvature.
+const LEAST: f64 = 1e-7;
+const MOST: f64 = 1e-5;
 /// Steps of one search and searches in a row.
 const STEPS: usize = 120;
 const SEARCHES: usize = 12;
@@ -26,7 +32,7 @@ pub(super) fn minimise(start: &[f64], size: f64, finest: f64, value: &mut Value)
     let mut size = size;
     for _ in 0..SEARCHES {
         let before = best.1;
-        let found = search(&best.0, size, finest, value);
+        let found = search(&best.0, size, finest.max(COARSE * size), value);
         if found.1 < best.1 {
             best = found;
         }
@@ -35,6 +41,7 @@ pub(super) fn minimise(start: &[f64], size: f64, finest: f64, value: &mut Value)
             break;
         }
         let from = best.0.clone();
+        best = follow(best, (0.1 * finest).clamp(LEAST, MOST), value);
         best = descend(best, finest, value);
         let moved = from.iter().zip(&best.0).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
         if before - best.1 <= GAIN * finest * best.1.abs() || moved == 0.0 {

@@ -1,10 +1,12 @@
 //! The frontier: the best value of the objective for every sensitivity peak.
 
-use super::design::{Design, Structure};
+use super::design::Structure;
 use super::gain::{Gains, SEARCHING};
 use super::limits::{Limits, Quantity};
 use super::objective::Objective;
+use super::progress::Progress;
 use super::search::{OptimiseError, SEARCHED, find, search_from};
+use super::task::Task;
 use crate::model::{Controller, Process};
 
 /// Size of the simplex that follows the optimum from peak to peak.
@@ -45,46 +47,40 @@ pub fn trade_off(
     limits: &Limits,
     peaks: &[f64],
 ) -> Result<Vec<Point>, OptimiseError> {
-    trade_off_with(process, structure, objective, limits, peaks, &mut || {})
+    Task::new(process, structure, objective, limits).trade_off(peaks, &|_| {})
 }
 
-/// The same; `each` is called after each peak.
-///
-/// # Errors
-/// As [`trade_off`].
-pub fn trade_off_with(
-    process: &Process,
-    structure: Structure,
-    objective: Objective,
-    limits: &Limits,
-    peaks: &[f64],
-    each: &mut dyn FnMut(),
-) -> Result<Vec<Point>, OptimiseError> {
-    let design = Design::new(process, structure, limits.of(Quantity::NoiseGain).is_some());
-    if let Some(reason) = objective.degenerate(&design, limits) {
-        return Err(OptimiseError::Degenerate(reason));
+impl Task {
+    /// The same, with the filter of this task; any limit of it on the sensitivity peak is replaced. `tell` is called with
+    /// thousandths of each peak as they are done, a thousand a peak.
+    ///
+    /// # Errors
+    /// As [`trade_off`].
+    pub fn trade_off(&self, peaks: &[f64], tell: &(dyn Fn(u64) + Sync)) -> Result<Vec<Point>, OptimiseError> {
+        let (design, objective) = (self.design()?, self.objective);
+        let mut points: Vec<Point> = Vec::new();
+        let mut parts: Option<Vec<f64>> = None;
+        for (index, &peak) in peaks.iter().enumerate() {
+            let limits = self.limits.clone().with(Quantity::SensitivityPeak, peak);
+            let gains = Gains::new(&design, objective, &limits, SEARCHING);
+            let (progress, silent) = (Progress::new(tell), Progress::silent());
+            let from_last = parts.as_ref().and_then(|start| {
+                let end = search_from(&gains, start, NEAR, SEARCHED, &mut silent.search(0));
+                Some((end.parts, end.best?))
+            });
+            let from_scratch = from_last.is_none() || index == peaks.len() / 2 || index + 1 == peaks.len();
+            let found = if from_scratch { find(&design, objective, &limits, &progress) } else { None };
+            let found = found.map(|found| (found.parts, found.best));
+            let best = from_last.into_iter().chain(found).min_by(|a, b| a.1.value.total_cmp(&b.1.value));
+            progress.finish();
+            let Some((end, candidate)) = best else { continue };
+            points.push(Point {
+                sensitivity_peak: peak,
+                value: candidate.value,
+                controller: candidate.controller,
+            });
+            parts = Some(end);
+        }
+        Ok(points)
     }
-    let mut points: Vec<Point> = Vec::new();
-    let mut parts: Option<Vec<f64>> = None;
-    for (index, &peak) in peaks.iter().enumerate() {
-        let limits = limits.clone().with(Quantity::SensitivityPeak, peak);
-        let gains = Gains::new(&design, objective, &limits, SEARCHING);
-        let from_last = parts.as_ref().and_then(|start| {
-            let end = search_from(&gains, start, NEAR, SEARCHED);
-            Some((end.parts, end.best?))
-        });
-        let from_scratch = from_last.is_none() || index == peaks.len() / 2 || index + 1 == peaks.len();
-        let found = if from_scratch { find(&design, objective, &limits) } else { None };
-        let found = found.map(|found| (found.parts, found.best));
-        let best = from_last.into_iter().chain(found).min_by(|a, b| a.1.value.total_cmp(&b.1.value));
-        each();
-        let Some((end, candidate)) = best else { continue };
-        points.push(Point {
-            sensitivity_peak: peak,
-            value: candidate.value,
-            controller: candidate.controller,
-        });
-        parts = Some(end);
-    }
-    Ok(points)
 }
