@@ -86,7 +86,7 @@ proptest! {
         observer in prop::option::weighted(0.2, 0.05f64..0.6),
         lag in prop::option::weighted(0.2, 0.01f64..3.0),
         (step, load, second) in (0.0f64..5.0, 0.0f64..30.0, -2.0f64..2.0),
-        horizon in 5.0f64..120.0,
+        horizon in 6.0f64..120.0,
     ) {
         let mut process = Process::integrating(gain, Seconds(time)).unwrap();
         if let Some(lag) = lag {
