@@ -73,13 +73,13 @@ pub fn point_fit(record: &Record, greatest: Seconds) -> Result<PointFit, PointEr
     #[expect(clippy::cast_precision_loss, reason = "a number of rows")]
     let step = (time[rows - 1] - time[0]) / (rows - 1) as f64;
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most the number of rows")]
-    let lags = ((greatest.0 / step).ceil().max(1.0) as usize).min(rows / 2).max(1);
+    let delays = ((greatest.0 / step).ceil().max(1.0) as usize).min(rows / 2).max(1);
     let input = record.manipulated_variable();
     if input.iter().all(|value| *value == input[0]) {
         return Err(PointError::Still);
     }
     if rows > 8 && even::are_even(time, step) {
-        let fit = even::fit(input, record.controlled_variable(), lags).ok_or(PointError::Still)?;
+        let fit = even::fit(input, record.controlled_variable(), delays).ok_or(PointError::Still)?;
         return Ok(PointFit {
             process_gain: fit.gain / step,
             dead_time: fit.dead_time * step,

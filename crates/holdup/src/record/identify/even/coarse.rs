@@ -27,26 +27,26 @@ struct Grid {
     ramps: Vec<f64>,
 }
 
-/// The best lag, and the share of a row beyond it.
+/// The best delay, and the share of a row beyond it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Best {
-    pub(super) lag: usize,
+    pub(super) delay: usize,
     pub(super) share: f64,
 }
 
-/// The best of all lags; `bend` bounds the second difference of the products.
+/// The best of all delays; `bend` bounds the second difference of the products.
 pub(super) fn best(moves: Vec<Move>, ramps: Vec<f64>, own: &Own, bend: f64) -> Option<Best> {
-    let lags = own.neighbour.len();
+    let delays = own.neighbour.len();
     let mut grids = vec![Grid { rows: 1, moves, ramps }];
     while let Some(Grid { rows, moves, ramps }) = grids.last()
         && *rows < COARSEST
-        && rows * 4 * PLACES <= lags
+        && rows * 4 * PLACES <= delays
     {
         let coarser = Grid { rows: 4 * rows, moves: shared(moves), ramps: every_fourth(ramps) };
         grids.push(coarser);
     }
     // Lags that are left, in runs from one to another.
-    let mut runs = vec![(0, lags)];
+    let mut runs = vec![(0, delays)];
     while let Some(grid) = grids.pop() {
         if grids.is_empty() {
             return finest(&grid, &runs, own);
@@ -59,7 +59,7 @@ pub(super) fn best(moves: Vec<Move>, ramps: Vec<f64>, own: &Own, bend: f64) -> O
 /// What is left of the runs: every piece of the grid that may hold a better one than the best that is sure.
 #[expect(clippy::cast_precision_loss, reason = "a few rows")]
 fn narrowed(grid: &Grid, runs: &[(usize, usize)], own: &Own, bend: f64) -> Vec<(usize, usize)> {
-    let lags = own.neighbour.len();
+    let delays = own.neighbour.len();
     let off = bend * (grid.rows * grid.rows) as f64 / 8.0;
     let mut sure = 0.0_f64;
     let mut pieces = Vec::new();
@@ -68,7 +68,7 @@ fn narrowed(grid: &Grid, runs: &[(usize, usize)], own: &Own, bend: f64) -> Vec<(
         let values = products(&grid.moves, &grid.ramps, first, to.div_ceil(grid.rows) - first + 1);
         for (k, pair) in values.windows(2).enumerate() {
             let start = (first + k) * grid.rows;
-            let end = (start + grid.rows).min(lags);
+            let end = (start + grid.rows).min(delays);
             let (least, most) = (pair[0].abs() - off, pair[0].abs().max(pair[1].abs()) + 2.0 * off);
             if least > 0.0 && own.squares[start] > own.floor {
                 sure = sure.max(least * least / own.squares[start]);
@@ -91,14 +91,14 @@ fn narrowed(grid: &Grid, runs: &[(usize, usize)], own: &Own, bend: f64) -> Vec<(
     left
 }
 
-/// The best of these runs, every piece between two lags exactly.
+/// The best of these runs, every piece between two delays exactly.
 fn finest(grid: &Grid, runs: &[(usize, usize)], own: &Own) -> Option<Best> {
     let mut best: Option<(f64, Best)> = None;
     for &(from, to) in runs {
         let values = products(&grid.moves, &grid.ramps, from, to - from + 1);
         for (k, pair) in values.windows(2).enumerate() {
-            let lag = from + k;
-            let (left, right, cross) = (own.squares[lag], own.squares[lag + 1], own.neighbour[lag]);
+            let delay = from + k;
+            let (left, right, cross) = (own.squares[delay], own.squares[delay + 1], own.neighbour[delay]);
             let (c, b) = (pair[0], pair[1] - pair[0]);
             let (e, g) = (cross - left, left - 2.0 * cross + right);
             // The stationary point of (c + b·f)²/(left + 2·e·f + g·f²).
@@ -107,7 +107,7 @@ fn finest(grid: &Grid, runs: &[(usize, usize)], own: &Own) -> Option<Best> {
                 let squares = left + share * (2.0 * e + share * g);
                 let with = c + b * share;
                 if squares > own.floor && with * with > squares * best.map_or(0.0, |(score, _)| score) {
-                    best = Some((with * with / squares, Best { lag, share }));
+                    best = Some((with * with / squares, Best { delay, share }));
                 }
             }
         }
@@ -125,13 +125,13 @@ mod tests {
     use super::super::sums::{less, line};
     use super::*;
 
-    /// Nothing that is left out was the best: the search from coarse to fine gives what all lags give, with responses that
+    /// Nothing that is left out was the best: the search from coarse to fine gives what all delays give, with responses that
     /// follow the input and with responses that have nothing to do with it.
     #[test]
     fn the_best_of_all_lags_is_found() {
         let mut random = ChaCha8Rng::seed_from_u64(3);
         for case in 0..60 {
-            let (rows, lags): (usize, usize) = (random.random_range(200..900), random.random_range(1..190));
+            let (rows, delays): (usize, usize) = (random.random_range(200..900), random.random_range(1..190));
             let chance = [0.02, 0.2, 1.0][case % 3];
             let mut value = 3.0;
             let input: Vec<f64> = (0..rows)
@@ -142,28 +142,28 @@ mod tests {
                     value
                 })
                 .collect();
-            let mut integral = vec![0.0; rows + lags];
-            for (k, value) in integral[..lags].iter_mut().enumerate() {
+            let mut integral = vec![0.0; rows + delays];
+            for (k, value) in integral[..delays].iter_mut().enumerate() {
                 *value = input[0]
-                    * (f64::from(u32::try_from(k).unwrap()) - f64::from(u32::try_from(lags).unwrap()));
+                    * (f64::from(u32::try_from(k).unwrap()) - f64::from(u32::try_from(delays).unwrap()));
             }
-            cumulate(&input, 0.0, &mut integral[lags..]);
-            let lag = random.random_range(0..=lags);
+            cumulate(&input, 0.0, &mut integral[delays..]);
+            let delay = random.random_range(0..=delays);
             let share = if case % 2 == 0 { 0.0 } else { 0.3 };
-            let output: Vec<f64> = integral[lags - lag..][..rows]
+            let output: Vec<f64> = integral[delays - delay..][..rows]
                 .iter()
                 .map(|v| share * v + random.random_range(-1.0..1.0))
                 .collect();
             let (response, squares, greatest) = less(&output, line(&output));
             let moves = moves(&input);
-            let own = Own::new(&integral, &input, 0.0, lags);
+            let own = Own::new(&integral, &input, 0.0, delays);
             let sizes = moves.iter().map(|(_, size)| size.abs()).sum::<f64>();
             let of_moves = moves.iter().map(|(_, size)| size * size).sum::<f64>();
             let bend = (sizes * greatest).min((of_moves * squares).sqrt());
-            let grid = Grid { rows: 1, moves: moves.clone(), ramps: ramps(&response, lags) };
-            let all = finest(&grid, &[(0, lags)], &own);
+            let grid = Grid { rows: 1, moves: moves.clone(), ramps: ramps(&response, delays) };
+            let all = finest(&grid, &[(0, delays)], &own);
             assert!(all.is_some());
-            assert_eq!(best(moves, ramps(&response, lags), &own, bend), all, "case {case}");
+            assert_eq!(best(moves, ramps(&response, delays), &own, bend), all, "case {case}");
         }
     }
 }

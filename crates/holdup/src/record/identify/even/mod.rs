@@ -2,7 +2,7 @@
 //! computed.
 //!
 //! Each function takes one pass over the rows, several rows side by side (`sums`, `running`, `moves`); `coarse` finds the
-//! lag, `own` says what the input's integral is at each.
+//! delay, `own` says what the input's integral is at each.
 
 mod coarse;
 mod moves;
@@ -36,19 +36,19 @@ pub(super) struct EvenFit {
     pub(super) squares: f64,
 }
 
-/// Input and output at even rows, at least three, and dead times up to `lags` rows, 1 or more. `None` where the input does
+/// Input and output at even rows, at least three, and dead times up to `delays` rows, 1 or more. `None` where the input does
 /// not move or its moves show nowhere.
 #[expect(clippy::cast_precision_loss, reason = "a number of rows")]
-pub(super) fn fit(input: &[f64], output: &[f64], lags: usize) -> Option<EvenFit> {
+pub(super) fn fit(input: &[f64], output: &[f64], delays: usize) -> Option<EvenFit> {
     let rows = input.len();
     let mean = sums::sum(&input[..rows - 1]) / (rows - 1) as f64;
-    // The integral of the input, from `lags` rows before the record on: the input stood at its first value.
-    let mut integral = vec![0.0; lags + rows];
+    // The integral of the input, from `delays` rows before the record on: the input stood at its first value.
+    let mut integral = vec![0.0; delays + rows];
     let before = input[0] - mean;
-    for (k, value) in integral[..lags].iter_mut().enumerate() {
-        *value = before * (k as f64 - lags as f64);
+    for (k, value) in integral[..delays].iter_mut().enumerate() {
+        *value = before * (k as f64 - delays as f64);
     }
-    cumulate(input, mean, &mut integral[lags..]);
+    cumulate(input, mean, &mut integral[delays..]);
     let (response, squares, greatest) = less(output, line(output));
     // A straight line but for rounding shows no move.
     if greatest <= ROUNDING * output[0].abs().max(output[rows - 1].abs()) {
@@ -58,10 +58,11 @@ pub(super) fn fit(input: &[f64], output: &[f64], lags: usize) -> Option<EvenFit>
     let sizes = moves.iter().map(|(_, size)| size.abs()).sum::<f64>();
     let of_moves = moves.iter().map(|(_, size)| size * size).sum::<f64>();
     let bend = (sizes * greatest).min((of_moves * squares).sqrt());
-    let own = Own::new(&integral, input, mean, lags);
-    let Best { lag, share: between } = best(moves, ramps(&response, lags), &own, bend)?;
+    let own = Own::new(&integral, input, mean, delays);
+    let Best { delay, share: between } = best(moves, ramps(&response, delays), &own, bend)?;
     // The same piece, column by column: at its left end, and what the column gains to its right end.
-    let columns = Columns { column: &integral[lags - lag..][..rows], response: &response, input, mean, lag };
+    let columns =
+        Columns { column: &integral[delays - delay..][..rows], response: &response, input, mean, delay };
     let found = columns.products();
     let [vv, vw, ww, vy, wy] = found.products;
     let determinant = vv * ww - vw * vw;
@@ -76,6 +77,6 @@ pub(super) fn fit(input: &[f64], output: &[f64], lags: usize) -> Option<EvenFit>
     };
     let left = squares - gain * (vy + share * wy);
     let squares = if left > SMALL * squares { left } else { columns.left(&found, gain, share) };
-    Some(EvenFit { gain, dead_time: lag as f64 + share, squares })
+    Some(EvenFit { gain, dead_time: delay as f64 + share, squares })
         .filter(|fit| fit.gain.is_finite() && fit.gain != 0.0)
 }

@@ -1,7 +1,6 @@
 //! The moves of the input.
 
-/// Rows that are looked at together.
-const LANES: usize = 8;
+use super::sums::LANES;
 
 /// Row and size of a change of the input.
 pub(super) type Move = (usize, f64);

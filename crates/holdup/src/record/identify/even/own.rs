@@ -1,16 +1,16 @@
-//! What the input's integral is by itself at every lag.
+//! What the input's integral is by itself at every delay.
 
 use super::sums::own_sums;
 
 /// Sums over the input's integral, outside initial value and constant load.
 pub(super) struct Own {
-    /// Squares at every lag from 0 on.
+    /// Squares at every delay from 0 on.
     pub(super) squares: Vec<f64>,
-    /// Products with the integral at the next lag, one fewer.
+    /// Products with the integral at the next delay, one fewer.
     pub(super) neighbour: Vec<f64>,
     /// Below it the squares are what sums over the rows have lost, or near it.
     pub(super) floor: f64,
-    /// Bound of the sum of squares by which the column changes from lag to lag.
+    /// Bound of the sum of squares by which the column changes from delay to delay.
     change: f64,
 }
 
@@ -18,21 +18,21 @@ pub(super) struct Own {
 /// digits are lost there.
 const SHOWN: f64 = 1e-10;
 
-/// Of the window at one lag: sum, moment about its middle, squares, and products with the window at the next lag.
+/// Of the window at one delay: sum, moment about its middle, squares, and products with the window at the next delay.
 type Place = [f64; 4];
 
 impl Own {
-    /// `integral` begins `lags` rows before the input.
+    /// `integral` begins `delays` rows before the input.
     #[expect(clippy::cast_precision_loss, reason = "a number of rows")]
-    pub(super) fn new(integral: &[f64], input: &[f64], mean: f64, lags: usize) -> Self {
+    pub(super) fn new(integral: &[f64], input: &[f64], mean: f64, delays: usize) -> Self {
         let rows = input.len();
         let half = (rows as f64 - 1.0) / 2.0;
         let ([mut sum, mut moment, mut squares, mut neighbour], change) =
-            own_sums(&integral[lags..], &integral[lags - 1..], input, mean);
+            own_sums(&integral[delays..], &integral[delays - 1..], input, mean);
         let floor = SHOWN * squares;
-        let mut places: Vec<Place> = Vec::with_capacity(lags + 1);
-        // From lag to lag one value enters at the front of the window, one leaves at its end.
-        let ends = || integral[..lags].iter().zip(&integral[rows..rows + lags]).rev();
+        let mut places: Vec<Place> = Vec::with_capacity(delays + 1);
+        // From delay to delay one value enters at the front of the window, one leaves at its end.
+        let ends = || integral[..delays].iter().zip(&integral[rows..rows + delays]).rev();
         let nexts = ends().skip(1).chain([(&0.0, &0.0)]);
         places.extend(ends().zip(nexts).map(|((enters, leaves), (next_enters, next_leaves))| {
             let place = [sum, moment, squares, neighbour];
@@ -44,11 +44,11 @@ impl Own {
         }));
         places.push([sum, moment, squares, 0.0]);
         let (squares, neighbour) = outside(&places, rows as f64);
-        let change = change + (lags + 1) as f64 * (input[0] - mean).powi(2);
+        let change = change + (delays + 1) as f64 * (input[0] - mean).powi(2);
         Self { squares, neighbour, floor, change }
     }
 
-    /// No column between these lags has a smaller sum of squares. Between two lags it is a parabola that bends by the
+    /// No column between these delays has a smaller sum of squares. Between two delays it is a parabola that bends by the
     /// squares of the change.
     pub(super) fn least(&self, from: usize, to: usize) -> f64 {
         let least = self.squares[from..=to].iter().fold(f64::INFINITY, |least, &squares| least.min(squares));

@@ -1,25 +1,42 @@
 //! Running sums. A sum waits for the one before it, so eight parts of the rows are summed side by side and put one on the
 //! other afterwards.
 
+#![expect(
+    clippy::inline_always,
+    reason = "a function outside the version for a processor does not have its instructions"
+)]
+
 use std::array::from_fn;
 use std::hint::black_box;
 
-use super::sums::{LAGS, LANES};
+use super::sums::{DELAYS, LANES};
+
+/// The first eight parts of equal length of values and of what is made of them, and that length. Fewer than eight values have
+/// none.
+#[inline(always)]
+fn parts<'v, 'o>(
+    values: &'v [f64],
+    out: &'o mut [f64],
+) -> ([&'v [f64]; LANES], [&'o mut [f64]; LANES], usize) {
+    let part = values.len() / LANES;
+    let mut rest = out;
+    let into = from_fn(|_| {
+        let (part, after) = std::mem::take(&mut rest).split_at_mut(part);
+        rest = after;
+        part
+    });
+    (from_fn(|lane| &values[lane * part..(lane + 1) * part]), into, part)
+}
 
 /// Sums of the values before each place, less `mean` each; `out` is as long as the values.
 #[multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2"))]
 pub(super) fn cumulate(values: &[f64], mean: f64, out: &mut [f64]) {
-    let part = values.len() / LANES;
+    let (from, into, part) = parts(values, out);
     let mut sums = [0.0; LANES];
-    if part > 0 {
-        let from: [&[f64]; LANES] = from_fn(|lane| &values[lane * part..(lane + 1) * part]);
-        let mut parts = out.chunks_exact_mut(part);
-        let into: [&mut [f64]; LANES] = from_fn(|_| parts.next().unwrap_or_default());
-        for k in 0..part {
-            for lane in 0..LANES {
-                into[lane][k] = sums[lane];
-                sums[lane] += from[lane][k] - mean;
-            }
+    for k in 0..part {
+        for lane in 0..LANES {
+            into[lane][k] = sums[lane];
+            sums[lane] += from[lane][k] - mean;
         }
     }
     let mut start = 0.0;
@@ -34,24 +51,19 @@ pub(super) fn cumulate(values: &[f64], mean: f64, out: &mut [f64]) {
 }
 
 /// Σ_(i<m) y_i·(m − i) at each place m: the product of the values with a ramp that starts at m, where the values are
-/// orthogonal to straight lines. Zeros follow for moves up to `lags` places later.
+/// orthogonal to straight lines. Zeros follow for moves up to `delays` places later.
 #[multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2"))]
 #[expect(clippy::cast_precision_loss, reason = "a number of rows")]
-pub(super) fn ramps(values: &[f64], lags: usize) -> Vec<f64> {
-    // Room for the lags of a grid that ends beyond the last.
-    let mut out = vec![0.0; values.len() + lags + 16 * LAGS];
-    let part = values.len() / LANES;
+pub(super) fn ramps(values: &[f64], delays: usize) -> Vec<f64> {
+    // Room for the delays of a grid that ends beyond the last.
+    let mut out = vec![0.0; values.len() + delays + 16 * DELAYS];
+    let (from, into, part) = parts(values, &mut out);
     let (mut sums, mut ramps) = ([0.0; LANES], [0.0; LANES]);
-    if part > 0 {
-        let from: [&[f64]; LANES] = from_fn(|lane| &values[lane * part..(lane + 1) * part]);
-        let mut parts = out.chunks_exact_mut(part);
-        let into: [&mut [f64]; LANES] = from_fn(|_| parts.next().unwrap_or_default());
-        for k in 0..part {
-            for lane in 0..LANES {
-                into[lane][k] = ramps[lane];
-                sums[lane] += from[lane][k];
-                ramps[lane] += sums[lane];
-            }
+    for k in 0..part {
+        for lane in 0..LANES {
+            into[lane][k] = ramps[lane];
+            sums[lane] += from[lane][k];
+            ramps[lane] += sums[lane];
         }
     }
     let (mut ramp, mut slope) = (0.0, 0.0);

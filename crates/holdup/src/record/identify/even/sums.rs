@@ -16,7 +16,7 @@ use super::moves::Move;
 pub(super) const LANES: usize = 8;
 
 /// Lags whose products are summed in one pass over the moves.
-pub(super) const LAGS: usize = 32;
+pub(super) const DELAYS: usize = 32;
 
 /// A straight line over the rows: its value at row 0 and its slope per row.
 #[derive(Debug, Clone, Copy)]
@@ -124,16 +124,16 @@ pub(super) fn less(values: &[f64], line: Line) -> (Vec<f64>, f64, f64) {
     (left, sum, black_box(most).into_iter().fold(greatest, f64::max))
 }
 
-/// Σ_j move_j·ramp_(j + lag) for so many lags from the first on.
+/// Σ_j move_j·ramp_(j + delay) for so many delays from the first on.
 #[multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2"))]
 pub(super) fn products(moves: &[Move], ramps: &[f64], first: usize, count: usize) -> Vec<f64> {
-    let mut found = Vec::with_capacity(count + LAGS);
+    let mut found = Vec::with_capacity(count + DELAYS);
     while found.len() < count {
         let from = first + found.len();
-        let mut sums = [0.0; LAGS];
+        let mut sums = [0.0; DELAYS];
         for &(place, size) in moves {
             // Beyond the last row the ramps are zero.
-            let Some(values) = ramps.get(place + from..).and_then(<[f64]>::first_chunk::<LAGS>) else {
+            let Some(values) = ramps.get(place + from..).and_then(<[f64]>::first_chunk::<DELAYS>) else {
                 break;
             };
             for (sum, value) in sums.iter_mut().zip(values) {
@@ -182,7 +182,7 @@ pub(super) struct Columns<'r> {
     pub(super) response: &'r [f64],
     pub(super) input: &'r [f64],
     pub(super) mean: f64,
-    pub(super) lag: usize,
+    pub(super) delay: usize,
 }
 
 /// Straight lines through both columns, and the products v·v, v·w, w·w, v·y and w·y outside straight lines.
@@ -197,7 +197,7 @@ impl Columns<'_> {
     fn sums<const N: usize>(&self, of: impl Fn(f64, f64, f64, f64) -> [f64; N]) -> [f64; N] {
         let rows = self.column.len();
         // Until the first row is felt the input stands at its first value.
-        let head = (self.lag + 1).min(rows);
+        let head = (self.delay + 1).min(rows);
         let blocks = (rows - head) / LANES;
         let mut single = [0.0; N];
         let mut add = |row: usize, u: f64| {
@@ -231,7 +231,7 @@ impl Columns<'_> {
     fn row_by_row(&self) -> Products {
         let rows = self.column.len();
         let change: Vec<f64> =
-            (0..rows).map(|row| self.mean - self.input[(row + 1).saturating_sub(self.lag + 2)]).collect();
+            (0..rows).map(|row| self.mean - self.input[(row + 1).saturating_sub(self.delay + 2)]).collect();
         let lines = [line(self.column), line(&change)];
         let [v, w] = [less(self.column, lines[0]).0, less(&change, lines[1]).0];
         let y = self.response;
