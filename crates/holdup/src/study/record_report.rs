@@ -27,16 +27,8 @@ pub fn record_report(
         .with_section(Section::new("Why").with_list(answer.reasons.clone()))
         .with_section(Section::new("Result").with_table(result(answer)?))
         .with_section(Section::new("The record").with_figure(data(record, answer)?));
-    if let Some(load) = &answer.load {
-        let panel = Panel::new(Axis::linear("time [s]"), Axis::linear("load at the process input"))
-            .with_series(curve("load", &load.time, &load.load)?);
-        let figure = Figure::new("The load that explains the rest", vec![panel])?;
-        let about = format!("Each value is a mean over {} s: faster loads are not seen.", three(load.window));
-        let mut section = Section::new("Load").with_paragraph(about);
-        if !answer.load_steps.is_empty() {
-            section = section.with_list(answer.load_steps.iter().map(LoadStep::text).collect());
-        }
-        page = page.with_section(section.with_figure(figure));
+    if answer.load.is_some() || !answer.load_steps.is_empty() {
+        page = page.with_section(load(answer)?);
     }
     if !answer.diagnosis.findings.is_empty() {
         page = page.with_section(Section::new("Diagnosis").with_list(answer.diagnosis.findings.clone()));
@@ -48,6 +40,23 @@ pub fn record_report(
         page = page.with_section(tuning(record, retuning)?);
     }
     Ok(page)
+}
+
+/// The load over time, where it is known, and its sudden changes.
+fn load(answer: &Identification) -> Result<Section, ReportError> {
+    let mut section = Section::new("Load");
+    if let Some(load) = &answer.load {
+        let window = three(load.window);
+        section = section
+            .with_paragraph(format!("Each value is a mean over {window} s: faster loads are not seen."));
+    }
+    if !answer.load_steps.is_empty() {
+        section = section.with_list(answer.load_steps.iter().map(LoadStep::text).collect());
+    }
+    let Some(load) = &answer.load else { return Ok(section) };
+    let panel = Panel::new(Axis::linear("time [s]"), Axis::linear("load at the process input"))
+        .with_series(curve("load", &load.time, &load.load)?);
+    Ok(section.with_figure(Figure::new("The load that explains the rest", vec![panel])?))
 }
 
 /// A curve, thinned.
