@@ -464,7 +464,14 @@ fn each_fault_of_a_family_or_of_an_optimum_names_option_and_value() {
         (&["--max-settling-time", "0"], &["--max-settling-time", "0"]),
         (&["--table"], &["--table", "--max-sensitivity"]),
         (&["--table", "--max-sensitivity", "3"], &["--table", "3", "1.2 to 2.5"]),
-        (&["--table", "--max-sensitivity", "1.6", "--min-gain-margin", "2"], &["--table", "no other limit"]),
+        (
+            &["--table", "--max-sensitivity", "1.6", "--min-gain-margin", "2"],
+            &["--min-gain-margin", "no other limit"],
+        ),
+        (&["--table", "--max-sensitivity", "1.6", "--plot", "never.svg"], &["--plot", "--table"]),
+        (&["--table", "--max-sensitivity", "1.6", "--rules", "never.toml"], &["--rules", "--table"]),
+        (&["--tables", "--max-sensitivity", "1.6"], &["--max-sensitivity", "--tables"]),
+        (&["--objective", "averaging", "--min-gain-margin", "2"], &["--min-gain-margin", "averaging"]),
         (
             &["--table", "--max-sensitivity", "1.6", "--structure", "pid", "--filter", "0.2"],
             &["--table", "pid", "Tf/Td = 0.1"],

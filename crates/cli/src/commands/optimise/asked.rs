@@ -12,6 +12,37 @@ use crate::fault::Fault;
 /// The objectives by name.
 const OBJECTIVES: &str = "load_iae, setpoint_iae, weighted_iae, load_ise, setpoint_ise, control_energy, total_variation, robust_box, averaging";
 
+/// Refuses an option that has no part in `what`, which looks at those `used`: nothing that is asked for is left out in silence.
+pub(super) fn only(args: &OptimiseArgs, what: &str, used: &[&str]) -> Result<(), Fault> {
+    let given = [
+        ("--process", args.process.is_some()),
+        ("--structure", args.structure.is_some()),
+        ("--filter", args.filter.is_some()),
+        ("--max-sensitivity", args.max_sensitivity.is_some()),
+        ("--max-complementary", args.max_complementary.is_some()),
+        ("--min-gain-margin", args.min_gain_margin.is_some()),
+        ("--min-phase-margin", args.min_phase_margin.is_some()),
+        ("--min-delay-margin", args.min_delay_margin.is_some()),
+        ("--max-noise-gain", args.max_noise_gain.is_some()),
+        ("--max-variance-gain", args.max_variance_gain.is_some()),
+        ("--noise-sample-time", args.noise_sample_time.is_some()),
+        ("--noise-bandwidth", args.noise_bandwidth.is_some()),
+        ("--max-load-iae", args.max_load_iae.is_some()),
+        ("--max-setpoint-iae", args.max_setpoint_iae.is_some()),
+        ("--max-settling-time", args.max_settling_time.is_some()),
+        ("--load-step", args.load_step.is_some()),
+        ("--excursion", args.excursion.is_some()),
+        ("--trade-off", args.trade_off),
+        ("--rules", args.rules.is_some()),
+        ("--table", args.table),
+        ("--plot", args.plot.is_some()),
+    ];
+    match given.iter().find(|(option, given)| *given && !used.contains(option)) {
+        Some((option, _)) => Err(Fault::option(option, format!("has no part in {what}"))),
+        None => Ok(()),
+    }
+}
+
 /// The structure by name.
 pub(super) fn structure(name: &str) -> Result<Structure, Fault> {
     Structure::named(name).ok_or_else(|| {

@@ -118,10 +118,13 @@ impl OptimiseArgs {
 pub(crate) fn run(args: &OptimiseArgs, console: Console) -> Result<Answer, Fault> {
     args.plot.as_deref().map_or(Ok(()), check_kind)?;
     if args.tables {
+        asked::only(args, "--tables", &["--process", "--structure"])?;
         return tabulated::all(args, console);
     }
     let process = process(args.process.as_ref())?;
     if args.objective == "averaging" {
+        let used = ["--process", "--max-sensitivity", "--load-step", "--excursion"];
+        asked::only(args, "--objective averaging", &used)?;
         return level::level(args, &process, console);
     }
     for (option, given) in [("--load-step", &args.load_step), ("--excursion", &args.excursion)] {
@@ -129,12 +132,19 @@ pub(crate) fn run(args: &OptimiseArgs, console: Console) -> Result<Answer, Fault
             return Err(Fault::option(option, "must stand with --objective averaging"));
         }
     }
+    if args.table {
+        asked::only(
+            args,
+            "--table, which is for --max-sensitivity and no other limit",
+            &["--table", "--process", "--structure", "--filter", "--max-sensitivity"],
+        )?;
+    }
     let structure = asked::structure(args.structure())?;
     let filter = asked::filter(args, structure)?;
     let limits = asked::limits(args, &process)?;
     let objective = asked::objective(args, &limits)?;
     if args.table {
-        return tabulated::one(args, &process, (structure, filter, objective), &limits, console);
+        return tabulated::one(&process, (structure, filter, objective), &limits, console);
     }
     let with_frontier = args.trade_off || args.plot.is_some();
     let own = match &args.rules {

@@ -22,17 +22,13 @@ const RATIO: f64 = 0.1;
 
 /// The optimum for a process, interpolated; what it achieves, computed.
 pub(super) fn one(
-    args: &OptimiseArgs,
     process: &Process,
     (structure, filter, objective): (Structure, Option<Filter>, Objective),
     limits: &Limits,
     console: Console,
 ) -> Result<Answer, Fault> {
-    if args.trade_off || args.plot.is_some() {
-        return Err(Fault::option("--table", "must stand without --trade-off and --plot, which search"));
-    }
-    let (Some(peak), [_]) = (limits.of(Quantity::SensitivityPeak), limits.list()) else {
-        return Err(Fault::option("--table", "must stand with --max-sensitivity and with no other limit"));
+    let Some(peak) = limits.of(Quantity::SensitivityPeak) else {
+        return Err(Fault::option("--table", "must stand with --max-sensitivity"));
     };
     let filter = filter.unwrap_or(Filter::Held(RATIO));
     let refused = |error| Fault::option("--table", error);
