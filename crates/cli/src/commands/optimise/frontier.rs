@@ -5,7 +5,7 @@ use holdup::model::description::ControllerDescription;
 use holdup::model::{ClosedLoop, Controller, Process};
 use holdup::study::OwnRule;
 use holdup::study::figures::{Axis, Figure, FigureError, Mark, Panel, Series, Tone};
-use holdup::tuning::optimise::{Objective, Point, Structure};
+use holdup::tuning::optimise::{Objective, Point, Structure, between};
 use holdup::tuning::ranking::{ORDERS, rank};
 use serde_json::{Value, json};
 
@@ -86,7 +86,7 @@ pub(super) fn figure(
     points: &[Point],
     own: &[Own],
 ) -> Result<Figure, FigureError> {
-    let (x, y) = points.iter().map(|point| (point.sensitivity_peak, point.value)).unzip();
+    let (x, y) = between(points);
     let mut panel = Panel::new(Axis::linear("sensitivity peak M_s"), Axis::logarithmic(in_words(objective)));
     let name = format!("best {}", structure.name().to_uppercase());
     panel = panel.with_series(Series::new(name, x, y)?.with_tone(Tone::Slot(0)));

@@ -7,6 +7,7 @@
 //! many starts agree and what a sweep over the whole space found. For an integrator with dead time the optima under a limit on
 //! the sensitivity peak alone are in a [`table`], too.
 
+mod curve;
 mod design;
 mod filter;
 mod gain;
@@ -31,4 +32,4 @@ pub use objective::Objective;
 pub use progress::WHOLE;
 pub use search::{OptimiseError, Optimum, optimise};
 pub use task::Task;
-pub use trade_off::{Point, trade_off};
+pub use trade_off::{Point, between, trade_off};

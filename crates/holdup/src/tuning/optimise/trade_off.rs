@@ -1,5 +1,6 @@
 //! The frontier: the best value of the objective for every sensitivity peak.
 
+use super::curve::Curve;
 use super::design::Structure;
 use super::gain::{Gains, SEARCHING};
 use super::limits::{Limits, Quantity};
@@ -21,6 +22,39 @@ pub struct Point {
     pub value: f64,
     /// The controller.
     pub controller: Controller,
+}
+
+/// Steps of [`between`] from one point to the next.
+const PARTS: u32 = 8;
+
+/// The frontier between its points, for a picture: sensitivity peaks and values on a monotone cubic in the logarithms of value and
+/// M_s − 1. Chords would pass above rules that are nearly best. The points themselves are on it.
+///
+/// ```
+/// use holdup::model::{Process, Seconds};
+/// use holdup::tuning::optimise::{Limits, Objective, Structure, between, trade_off};
+/// let process = Process::integrating(1.0, Seconds(1.0))?;
+/// let of = |peaks: &[f64]| trade_off(&process, Structure::P, Objective::SetpointIae, &Limits::default(), peaks);
+/// let (peaks, values) = between(&of(&[1.2, 1.3, 1.4])?);
+/// let place = peaks.iter().position(|peak| (peak - 1.25).abs() < 1e-12).unwrap();
+/// assert!((values[place] / of(&[1.25])?[0].value - 1.0).abs() < 2e-3);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[must_use]
+pub fn between(points: &[Point]) -> (Vec<f64>, Vec<f64>) {
+    let (peaks, values): (Vec<f64>, Vec<f64>) =
+        points.iter().map(|point| (point.sensitivity_peak, point.value)).unzip();
+    if peaks.len() < 2 {
+        return (peaks, values);
+    }
+    let curve = Curve::new(&peaks, &values);
+    let part = |pair: &[f64]| {
+        let (from, to) = (pair[0], pair[1]);
+        (0..PARTS).map(move |k| from + (to - from) * f64::from(k) / f64::from(PARTS))
+    };
+    let fine: Vec<f64> = peaks.windows(2).flat_map(part).chain(peaks.last().copied()).collect();
+    let values = fine.iter().map(|peak| curve.at(*peak)).collect();
+    (fine, values)
 }
 
 /// The best controller for each of these sensitivity peaks, which must rise, under the other limits; a peak that no controller

@@ -4,9 +4,9 @@ use std::fmt::Write as _;
 
 use rayon::prelude::*;
 
-use super::curve::Curve;
 use crate::analysis::frequency::margins;
 use crate::model::{ClosedLoop, Controller, Process, Seconds};
+use crate::tuning::optimise::curve::Curve;
 use crate::tuning::optimise::design::Design;
 use crate::tuning::optimise::gain::{Candidate, Gains, POLISHED};
 use crate::tuning::optimise::objective::Transients;

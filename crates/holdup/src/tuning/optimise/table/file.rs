@@ -1,6 +1,6 @@
 //! The file of the tables.
 
-use super::curve::Curve;
+use super::super::curve::Curve;
 use super::{Table, TableErrors};
 use crate::tuning::optimise::{Filter, Objective, Structure};
 

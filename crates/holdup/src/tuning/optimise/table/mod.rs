@@ -7,7 +7,6 @@
 
 #[cfg(test)]
 mod compute;
-mod curve;
 mod file;
 
 use std::fmt;
@@ -15,11 +14,11 @@ use std::sync::OnceLock;
 
 use thiserror::Error;
 
+use super::curve::Curve;
 use super::design::Structure;
 use super::filter::Filter;
 use super::objective::Objective;
 use crate::model::{Controller, ModelError, Observer, Process, Seconds};
-use curve::Curve;
 
 /// The optima of a structure for an objective, for every limit on the sensitivity peak within a range.
 #[derive(Debug, Clone)]
