@@ -361,8 +361,9 @@ pub(super) fn only_root<const L: usize>(
             }
             let next = s.0[l] - value.0[l] / slope.0[l];
             // The error of an integral is of second order in that of the root, and Newton squares the latter: 1e-9
-            // becomes rounding.
-            if (next - s.0[l]).abs() < 1e-9 || high.0[l] - low.0[l] < 1e-12 {
+            // becomes rounding. A short step out of the bracket leads to another root, not to the one that is inside.
+            let inside = next >= low.0[l] && next <= high.0[l];
+            if (inside && (next - s.0[l]).abs() < 1e-9) || high.0[l] - low.0[l] < 1e-12 {
                 s.0[l] = next.clamp(low.0[l], high.0[l]);
                 done[l] = true;
             } else {

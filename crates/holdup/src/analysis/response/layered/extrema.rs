@@ -110,7 +110,8 @@ fn polished(at: impl Fn(f64) -> (f64, f64, f64), start: f64, (low, high): (f64, 
         let step = -slope / bend;
         // From here to the extremum to second order: what is left is of third order in the step, 1e-14.
         best = value + 0.5 * slope * step;
-        if step.abs() < 2e-5 {
+        // A short step out of the bracket leads to another zero of the derivative, not to the one that is inside.
+        if step.abs() < 2e-5 && (low..=high).contains(&(s + step)) {
             return best;
         }
         s += step;
@@ -156,7 +157,8 @@ impl Start {
             let newton = -sum / sum_bend;
             // From here to the extremum to second order: what is left is of third order in the step, 1e-14.
             best = value + p + 0.5 * sum * newton;
-            if newton.abs() < 2e-5 {
+            // As in `polished`: not to another zero out of the bracket.
+            if newton.abs() < 2e-5 && (low..=high).contains(&(theta + newton)) {
                 return best;
             }
             let dying = slope * p1 < 0.0 && slope * bend < 0.0;
