@@ -9,3 +9,6 @@ pub mod infinite_horizon;
 pub mod metrics;
 pub mod noise;
 pub mod response;
+mod wide;
+
+pub(crate) use wide::widest;

@@ -5,6 +5,7 @@ use super::form::{Forms, Settings};
 use super::lanes::{Lanes, WIDTH};
 use super::mesh::{COARSE, FINE, Mesh};
 use super::peak::Peaks;
+use crate::analysis::widest;
 
 /// What is known of a block of loops.
 pub(super) struct Answers {
@@ -46,30 +47,34 @@ pub(super) fn thorough(settings: &Settings, both: bool) -> Answers {
     block(settings, &FINE, &Effort { gain: 12, phase: 8, peak: 2, stride: 2 }, both)
 }
 
-#[multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2"))]
 fn block(settings: &Settings, mesh: &Mesh, effort: &Effort, both: bool) -> Answers {
-    let forms = Forms::new(settings);
-    let at = Crossovers::new(&forms, effort);
-    let peaks = Peaks::new::<false>(&forms, &at, mesh, effort);
-    let mut answers = Answers {
-        decided: at.decided,
-        proven: peaks.proven,
-        phase: at.phase,
-        delay: [0.0; WIDTH],
-        gain: at.margin,
-        peak: [0.0; WIDTH],
-        complementary_peak: [0.0; WIDTH],
-    };
-    for i in 0..WIDTH {
-        answers.delay[i] = at.phase[i] / at.gain[i];
-        answers.peak[i] = 1.0 / peaks.squared[i].sqrt();
-    }
-    if both {
-        let peaks = Peaks::new::<true>(&forms, &at, mesh, effort);
-        for i in 0..WIDTH {
-            answers.proven[i] *= peaks.proven[i];
-            answers.complementary_peak[i] = 1.0 / peaks.squared[i].sqrt();
-        }
-    }
-    answers
+    widest(
+        #[inline(always)]
+        || {
+            let forms = Forms::new(settings);
+            let at = Crossovers::new(&forms, effort);
+            let peaks = Peaks::new::<false>(&forms, &at, mesh, effort);
+            let mut answers = Answers {
+                decided: at.decided,
+                proven: peaks.proven,
+                phase: at.phase,
+                delay: [0.0; WIDTH],
+                gain: at.margin,
+                peak: [0.0; WIDTH],
+                complementary_peak: [0.0; WIDTH],
+            };
+            for i in 0..WIDTH {
+                answers.delay[i] = at.phase[i] / at.gain[i];
+                answers.peak[i] = 1.0 / peaks.squared[i].sqrt();
+            }
+            if both {
+                let peaks = Peaks::new::<true>(&forms, &at, mesh, effort);
+                for i in 0..WIDTH {
+                    answers.proven[i] *= peaks.proven[i];
+                    answers.complementary_peak[i] = 1.0 / peaks.squared[i].sqrt();
+                }
+            }
+            answers
+        },
+    )
 }

@@ -10,8 +10,6 @@ use super::system::System;
 use crate::analysis::metrics::Metrics;
 use crate::model::ClosedLoop;
 
-/// Loops that are computed together: the numbers of one register of the widest instruction set.
-const TOGETHER: usize = 8;
 /// Most breakpoints between which dead times are counted, to find loops to which the same happens in the same order.
 const COUNTED: usize = 12;
 
@@ -71,7 +69,7 @@ fn of_system(
     system: &System,
     scenario: &Scenario,
 ) -> Result<Integrals, ResponseError> {
-    if let Some([sums]) = layered::integrals([system], scenario) {
+    if let Some(sums) = layered::integrals(system, scenario) {
         return Ok(Integrals::new(sums));
     }
     simulate(closed_loop, scenario).map(|response| Integrals::from(&response.metrics))
@@ -96,7 +94,7 @@ pub(in crate::analysis) fn integrals_of_many(
         .collect();
     order.par_sort_unstable_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)).then(a.2.cmp(&b.2)));
     let bundles: Vec<&[(u64, f64, usize)]> =
-        order.chunk_by(|a, b| a.0 == b.0).flat_map(|alike| alike.chunks(TOGETHER)).collect();
+        order.chunk_by(|a, b| a.0 == b.0).flat_map(|alike| alike.chunks(layered::MOST)).collect();
     let found: Vec<(usize, Result<Integrals, ResponseError>)> = bundles
         .into_par_iter()
         .flat_map_iter(|bundle| {
@@ -115,8 +113,8 @@ pub(in crate::analysis) fn integrals_of_many(
 fn of_bundle(loops: &[ClosedLoop], scenario: &Scenario) -> Vec<Result<Integrals, ResponseError>> {
     let systems: Vec<System> = loops.iter().map(System::new).collect();
     if let [_, .., last] = systems.as_slice() {
-        let lanes: [&System; TOGETHER] = std::array::from_fn(|l| systems.get(l).unwrap_or(last));
-        if let Some(sums) = layered::integrals(lanes, scenario) {
+        let lanes: [&System; layered::MOST] = std::array::from_fn(|l| systems.get(l).unwrap_or(last));
+        if let Some(sums) = layered::integrals_together(&lanes, scenario) {
             return sums[..loops.len()].iter().map(|sums| Ok(Integrals::new(*sums))).collect();
         }
     }

@@ -4,6 +4,7 @@
 //! Legendre polynomial is at most 1), integration is an index shift, and a lag of any stiffness is a tridiagonal system that is
 //! well conditioned (see `lag.rs`).
 
+use crate::analysis::widest;
 use std::sync::LazyLock;
 
 /// Number of coefficients of a cell's polynomial.
@@ -110,9 +111,15 @@ pub(super) fn from_powers(c: &Poly) -> Poly {
 }
 
 /// Values at many times of a polynomial in the power basis, on a cell that starts at `start` and is `2/scale` long.
-#[multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2"))]
 pub(super) fn evaluate(powers: &[f64], (start, scale): (f64, f64), times: &[f64], values: &mut [f64]) {
-    in_batches(times, values, start, |times, values| evaluate_batch(powers, (start, scale), times, values));
+    widest(
+        #[inline(always)]
+        || {
+            in_batches(times, values, start, |times, values| {
+                evaluate_batch(powers, (start, scale), times, values);
+            });
+        },
+    );
 }
 
 /// Hands times and values on in batches; the last one is filled up with the time `filler`.

@@ -1,14 +1,21 @@
 //! The closed loop in the form the solver runs: sparse rows, blocks of coupled states, and the equilibrium that each
 //! setpoint and load would have.
 
+use smallvec::{SmallVec, smallvec};
+
 use crate::model::ClosedLoop;
 use crate::model::closed_loop::{Source, Sum};
+
+/// Sources by index, and their weights.
+pub(super) type Terms = SmallVec<[(usize, f64); 4]>;
+/// A number for each state or channel.
+pub(super) type Point = SmallVec<[f64; 8]>;
 
 /// A weighted sum, sorted by kind of source.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Row {
-    pub(super) states: Vec<(usize, f64)>,
-    pub(super) delayed: Vec<(usize, f64)>,
+    pub(super) states: Terms,
+    pub(super) delayed: Terms,
     pub(super) setpoint: f64,
     pub(super) load: f64,
     pub(super) setpoint_rate: f64,
@@ -54,8 +61,8 @@ impl Row {
 /// Where everything comes to rest under a constant setpoint and load, or the origin where there is no such point.
 #[derive(Debug, Clone)]
 pub(super) struct Rest {
-    pub(super) states: Vec<f64>,
-    pub(super) delayed: Vec<f64>,
+    pub(super) states: Point,
+    pub(super) delayed: Point,
     pub(super) error: f64,
     pub(super) manipulated: f64,
     pub(super) load_estimate: f64,
@@ -100,21 +107,20 @@ impl System {
         for window in closed_loop.windows() {
             let length = closed_loop.channels()[window.channel].delay;
             at_rest[window.state] = Row {
-                states: vec![(window.state, 1.0)],
-                delayed: vec![(window.channel, -length)],
+                states: smallvec![(window.state, 1.0)],
+                delayed: smallvec![(window.channel, -length)],
                 ..Row::default()
             };
         }
-        let solve = |setpoint, load| equilibrium(&at_rest, &inputs, setpoint, load);
-        let points = solve(1.0, 0.0).zip(solve(0.0, 1.0));
+        let points = equilibria(&at_rest, &inputs);
         let has_rest = points.is_some();
         let n = rates.len();
-        let (of_setpoint, of_load) = points.unwrap_or_else(|| {
-            let origin = vec![0.0; n + inputs.len()];
-            (origin.clone(), origin)
+        let [of_setpoint, of_load] = points.unwrap_or_else(|| {
+            let origin: Point = smallvec![0.0; n + inputs.len()];
+            [origin.clone(), origin]
         });
-        let rest = |point: Vec<f64>, setpoint: f64, load: f64| {
-            let (states, delayed) = (point[..n].to_vec(), point[n..].to_vec());
+        let rest = |point: Point, setpoint: f64, load: f64| {
+            let (states, delayed): (Point, Point) = (point[..n].into(), point[n..].into());
             let manipulated = if has_rest && input_is_manipulated {
                 // Exact where the general sum would leave rounding: at rest the process input is what it must be.
                 delayed[0]
@@ -198,22 +204,23 @@ fn blocks(rates: &[Row]) -> Vec<(usize, usize)> {
     blocks
 }
 
-/// States and delayed signals at which nothing moves, or `None` where there is no unique such point.
+/// States and delayed signals at which nothing moves under a unit setpoint, and under a unit load; `None` where there is no unique
+/// such point.
 ///
 /// Rows with one unknown are eliminated first, so that what is zero by structure (the process input of an
 /// integrating process, the error under integral action) comes out as exactly zero.
-fn equilibrium(rates: &[Row], inputs: &[Row], setpoint: f64, load: f64) -> Option<Vec<f64>> {
+fn equilibria(rates: &[Row], inputs: &[Row]) -> Option<[Point; 2]> {
     let (n, channels) = (rates.len(), inputs.len());
     let size = n + channels;
-    let mut matrix: Vec<Vec<f64>> = Vec::with_capacity(size);
+    let mut matrix: Vec<SmallVec<[f64; 10]>> = Vec::with_capacity(size);
     for (index, row) in rates.iter().chain(inputs).enumerate() {
-        let mut line = vec![0.0; size + 1];
+        let mut line: SmallVec<[f64; 10]> = smallvec![0.0; size + 2];
         row.states.iter().for_each(|&(i, w)| line[i] += w);
         row.delayed.iter().for_each(|&(c, w)| line[n + c] += w);
         if index >= n {
             line[index] -= 1.0;
         }
-        line[size] = -(row.setpoint * setpoint + row.load * load);
+        (line[size], line[size + 1]) = (-row.setpoint, -row.load);
         // Rows of one scale, so that the choice of the largest pivot means something.
         let scale = line[..size].iter().fold(0.0f64, |m, v| m.max(v.abs()));
         if scale > 0.0 {
@@ -223,9 +230,9 @@ fn equilibrium(rates: &[Row], inputs: &[Row], setpoint: f64, load: f64) -> Optio
         }
         matrix.push(line);
     }
-    let mut order = Vec::with_capacity(size);
+    let mut order: SmallVec<[usize; 8]> = SmallVec::new();
     for step in 0..size {
-        let count = |line: &Vec<f64>| line[..size].iter().filter(|v| **v != 0.0).count();
+        let count = |line: &[f64]| line[..size].iter().filter(|v| **v != 0.0).count();
         let row = (step..size).filter(|&i| count(&matrix[i]) > 0).min_by_key(|&i| count(&matrix[i]))?;
         matrix.swap(step, row);
         let pivot_row = matrix[step].clone();
@@ -244,11 +251,12 @@ fn equilibrium(rates: &[Row], inputs: &[Row], setpoint: f64, load: f64) -> Optio
             }
         }
     }
-    let mut point = vec![0.0; size];
+    let mut points: [Point; 2] = [smallvec![0.0; size], smallvec![0.0; size]];
     for (line, column) in matrix.iter().zip(order) {
-        point[column] = line[size] / line[column];
+        points[0][column] = line[size] / line[column];
+        points[1][column] = line[size + 1] / line[column];
     }
-    point.iter().all(|v| v.is_finite()).then_some(point)
+    points.iter().flatten().all(|v| v.is_finite()).then_some(points)
 }
 
 #[cfg(test)]
@@ -267,7 +275,7 @@ mod tests {
         let pid = pid.with_derivative_time(Seconds(3.0)).unwrap().with_filter_bandwidth(100.0).unwrap();
         let rest = system(pid).rest(3.0, 1.0);
         assert_eq!((rest.error, rest.manipulated), (0.0, -1.0));
-        assert_eq!(rest.delayed, vec![0.0]);
+        assert_eq!(rest.delayed[..], [0.0]);
     }
 
     #[test]

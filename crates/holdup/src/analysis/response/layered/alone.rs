@@ -1,6 +1,7 @@
 //! A single loop, shown to those who look at one loop.
 
 use super::super::cell::Watch;
+use super::lanes::One;
 use super::propagate::{Follow, Stretch};
 use super::segment::Segment;
 use super::signal::Signal;
@@ -19,8 +20,8 @@ impl<'w, W> Alone<'w, W> {
     }
 }
 
-impl<W: Watch> Follow<1> for Alone<'_, W> {
-    fn stretch(&mut self, stretch: &Stretch<'_, 1>) {
+impl<W: Watch> Follow<One> for Alone<'_, W> {
+    fn stretch(&mut self, stretch: &Stretch<'_, One>) {
         let terms = stretch.terms;
         stretch.error.of_loop(0, terms, &mut self.error);
         stretch.manipulated.of_loop(0, terms, &mut self.manipulated);
@@ -28,10 +29,10 @@ impl<W: Watch> Follow<1> for Alone<'_, W> {
             estimate.of_loop(0, terms, &mut self.load_estimate);
         }
         self.watch.segment(&Segment {
-            start: stretch.start.0[0],
-            length: stretch.length.0[0],
+            start: stretch.start[0],
+            length: stretch.length[0],
             setpoint: stretch.setpoint,
-            rate: stretch.rate.0[0],
+            rate: stretch.rate[0],
             terms,
             error: &self.error,
             manipulated: &self.manipulated,

@@ -1,131 +1,120 @@
 //! `∫|e|` and `∫t·|e|` of several loops over a stretch, in closed form between the roots of the error.
 
-use super::crossings::{crossings, only_root};
-use super::integrals::{PerLoop, ROUNDING};
-use super::lanes::{Lanes, lane_by_lane};
+use super::crossings::{crossings, root};
+use super::integrals::ROUNDING;
+use super::lanes::{Lanes, Set};
 use super::propagate::Stretch;
-use super::signal::LAYER_TERMS;
-use super::signals::shift;
-use super::squares::{beyond, dot};
+use super::squares::{Decided, dot, shifted};
 use super::tables::{INVERSE, TABLES};
 
-/// `∫|e|` and `∫t·|e|` of each loop, where its error changes sign at most once, and provably so.
-#[multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2"))]
-pub(super) fn areas<const L: usize>(
-    stretch: &Stretch<'_, L>,
-    so_far: (Lanes<L>, Lanes<L>),
-) -> PerLoop<(f64, f64), L> {
+/// `∫|e|` and `∫t·|e|` of each loop, decided where its error changes sign at most twice, and provably so.
+pub(super) fn areas<V: Lanes>(stretch: &Stretch<'_, V>, so_far: (V, V)) -> Decided<(V, V)> {
+    V::widest(
+        stretch.length.token(),
+        #[inline(always)]
+        || of_magnitudes(stretch, so_far),
+    )
+}
+
+#[inline(always)]
+fn of_magnitudes<V: Lanes>(stretch: &Stretch<'_, V>, so_far: (V, V)) -> Decided<(V, V)> {
     let e = stretch.error;
+    let zero = stretch.length.like(0.0);
     let (smooth_size, layer_size) = e.sizes(stretch.terms);
     let swing = smooth_size - e.smooth[0].abs() + layer_size;
     let (mut total, mut moment) = totals(stretch);
     let end = stretch.start + stretch.length;
-    let mut layer_end = Lanes::ZERO;
-    let left = beyond(stretch, e);
+    let mut layer_end = zero;
+    let layer = &e.layer[..stretch.terms];
+    let left = stretch.end.area(layer, zero);
     let floor = stretch.rate * ROUNDING;
     let (iae, itae) = (so_far.0 + total.abs(), so_far.1 + moment.abs());
-    let ended = left.every(floor * iae, |left, floor| left <= floor)
-        && (left * end).every(floor * itae, |left, floor| left <= floor);
+    let ended = left.all_at_most(floor * iae) && (left * end).all_at_most(floor * itae);
     if stretch.terms > 0 && !ended {
         let theta = stretch.rate * stretch.length;
-        let mut later = [Lanes::ZERO; LAYER_TERMS];
-        let later = &mut later[..stretch.terms];
-        later.copy_from_slice(&e.layer[..stretch.terms]);
-        shift(later, theta);
+        let later = shifted(stretch.end, layer);
         layer_end = later[0];
-        let (all, first) = of_layer(later);
-        let none = (Lanes::ZERO, Lanes::ZERO);
-        let (area, weighted) = with_layer(stretch, stretch.terms, (all, first + theta * all), none);
+        let (all, first) = of_layer(&later[..stretch.terms], zero);
+        let (area, weighted) = with_layer(stretch, stretch.terms, (all, first + theta * all), (zero, zero));
         (total, moment) = (total - area, moment - weighted);
     }
-    let mut known = [None; L];
-    let mut open = [false; L];
-    for l in 0..L {
-        if e.smooth[0].0[l].abs() >= swing.0[l] {
-            known[l] = Some((total.0[l].abs(), moment.0[l].abs()));
-        } else {
-            open[l] = true;
-        }
-    }
-    if open == [false; L] {
-        return known;
+    let sums = (total.abs(), moment.abs());
+    let keeps_its_sign = swing.at_most(e.smooth[0].abs());
+    if keeps_its_sign == V::every() {
+        return (sums, keeps_its_sign);
     }
     // Noise below this changes the sums by less than rounding does.
     let floor = (iae / stretch.length).min(itae / (stretch.length * end)) * ROUNDING;
-    let found = crossings(stretch, open, layer_end, (layer_size, floor));
-    let mut crosses = false;
-    for l in 0..L {
-        if found.roots[l] == Some(0) {
-            known[l] = Some((total.0[l].abs(), moment.0[l].abs()));
-        }
-        crosses |= found.roots[l] == Some(1);
+    let open = V::every() & !keeps_its_sign;
+    let found = crossings(stretch, open, layer_end, floor);
+    let known = keeps_its_sign | found.none | found.one | found.two;
+    let crossed = found.one | found.two;
+    if crossed == Set::NONE {
+        return (sums, known);
     }
-    if crosses {
-        let layered = !layer_size.every(floor, |layer, floor| layer <= floor);
-        let terms = if layered { stretch.terms } else { 0 };
-        let root = only_root(stretch, terms, &found);
-        let (area, weighted) = integrals(stretch, terms, root);
-        let (later, later_weighted) = (total - area, moment - weighted);
-        for l in 0..L {
-            if found.roots[l] == Some(1) {
-                let areas = area.0[l].abs() + later.0[l].abs();
-                known[l] = Some((areas, weighted.0[l].abs() + later_weighted.0[l].abs()));
-            }
-        }
+    let terms = if layer_size.all_at_most(floor) { 0 } else { stretch.terms };
+    let (area, weighted) = integrals(stretch, terms, root(stretch, terms, crossed, &found.roots[0]));
+    let mut areas = area.abs() + (total - area).abs();
+    let mut moments = weighted.abs() + (moment - weighted).abs();
+    if found.two != Set::NONE {
+        let second = root(stretch, terms, found.two, &found.roots[1]);
+        let (later, later_weighted) = integrals(stretch, terms, second);
+        let three = |first: V, second: V, all: V| first.abs() + (second - first).abs() + (all - second).abs();
+        areas = three(area, later, total).only_in(found.two, areas);
+        moments = three(weighted, later_weighted, moment).only_in(found.two, moments);
     }
-    known
+    ((areas.only_in(crossed, sums.0), moments.only_in(crossed, sums.1)), known)
 }
 
 /// `∫e dt` and `∫t·e dt` over the stretch, of the layer to infinity.
 #[inline(always)]
-fn totals<const L: usize>(stretch: &Stretch<'_, L>) -> (Lanes<L>, Lanes<L>) {
+fn totals<V: Lanes>(stretch: &Stretch<'_, V>) -> (V, V) {
     let e = stretch.error;
     let smooth = &e.smooth[..e.order];
     let half = stretch.length * 0.5;
-    let area = stretch.length * dot(smooth, &TABLES.areas);
-    let about_middle = stretch.length * half * dot(smooth, &TABLES.moments_about_middle);
+    let area = stretch.length * dot(smooth, &TABLES.areas, half);
+    let about_middle = stretch.length * half * dot(smooth, &TABLES.moments_about_middle, half);
     let moment = (stretch.start + half) * area + about_middle;
-    with_layer(stretch, stretch.terms, of_layer(&e.layer[..stretch.terms]), (area, moment))
+    with_layer(stretch, stretch.terms, of_layer(&e.layer[..stretch.terms], half.like(0.0)), (area, moment))
 }
 
 /// `∫ layer dθ` and `∫ θ·layer dθ` from 0 to infinity.
 #[inline(always)]
-fn of_layer<const L: usize>(layer: &[Lanes<L>]) -> (Lanes<L>, Lanes<L>) {
-    let (mut all, mut first, mut index) = (Lanes::ZERO, Lanes::ZERO, 0.0);
+fn of_layer<V: Lanes>(layer: &[V], zero: V) -> (V, V) {
+    let (mut all, mut first, mut index) = (zero, zero, 0.0);
     for q in layer {
-        lane_by_lane::<L>();
         index += 1.0;
         all += *q;
-        first += *q * index;
+        first = q.scaled_plus(index, first);
     }
     (all, first)
 }
 
 /// Adds the integrals over a layer, `∫ dθ` and `∫θ dθ`.
 #[inline(always)]
-fn with_layer<const L: usize>(
-    stretch: &Stretch<'_, L>,
+fn with_layer<V: Lanes>(
+    stretch: &Stretch<'_, V>,
     terms: usize,
-    (all, first): (Lanes<L>, Lanes<L>),
-    (area, moment): (Lanes<L>, Lanes<L>),
-) -> (Lanes<L>, Lanes<L>) {
+    (all, first): (V, V),
+    (area, moment): (V, V),
+) -> (V, V) {
     if terms == 0 {
         return (area, moment);
     }
-    let inverse = Lanes::all(1.0) / stretch.rate;
+    let inverse = all.like(1.0) / stretch.rate;
     let all = all * inverse;
     (area + all, moment + stretch.start * all + first * inverse * inverse)
 }
 
 /// The same from the start of the stretch to `s`.
 #[inline(always)]
-fn integrals<const L: usize>(stretch: &Stretch<'_, L>, terms: usize, s: Lanes<L>) -> (Lanes<L>, Lanes<L>) {
+fn integrals<V: Lanes>(stretch: &Stretch<'_, V>, terms: usize, s: V) -> (V, V) {
     let e = stretch.error;
     let half = stretch.length * 0.5;
-    let (mut area, mut before) = (Lanes::ZERO, Lanes::ZERO);
-    let (mut moment, mut moment_before) = (Lanes::ZERO, Lanes::ZERO);
+    let zero = s.like(0.0);
+    let (mut area, mut before) = (zero, zero);
+    let (mut moment, mut moment_before) = (zero, zero);
     for j in (0..e.order).rev() {
-        lane_by_lane::<L>();
         let (by_one, by_two) = (e.smooth[j] * INVERSE[j + 1], e.smooth[j] * INVERSE[j + 2]);
         area = (area + by_one) * s;
         moment = (moment + by_two) * s;
@@ -138,24 +127,23 @@ fn integrals<const L: usize>(stretch: &Stretch<'_, L>, terms: usize, s: Lanes<L>
     if terms == 0 {
         return (area, moment);
     }
-    let theta = (stretch.rate * half * (s + Lanes::all(1.0))).map(|theta| theta.clamp(0.0, 700.0));
+    let theta = (stretch.rate * half * (s + s.like(1.0))).max(zero).min(s.like(700.0));
     // From θ to infinity: sums of the coefficients from j on, and for θ·layer, whose coefficient j is j·q_(j−1).
     let layer = &e.layer[..terms];
-    let (mut all, mut first) = (Lanes::ZERO, Lanes::ZERO);
-    let (mut beyond, mut weighted) = (Lanes::ZERO, Lanes::ZERO);
+    let (mut all, mut first) = (zero, zero);
+    let (mut beyond, mut weighted) = (zero, zero);
     #[expect(clippy::cast_precision_loss, reason = "at most 64")]
     let mut index = terms as f64;
     for j in (0..terms).rev() {
-        lane_by_lane::<L>();
         // `first` holds the sum from index j + 1 on.
-        first += layer[j] * index;
-        weighted = weighted * theta * if j + 2 <= terms { INVERSE[j + 2] } else { 0.0 } + first;
+        first = layer[j].scaled_plus(index, first);
+        weighted = (weighted * theta).scaled_plus(if j + 2 <= terms { INVERSE[j + 2] } else { 0.0 }, first);
         all += layer[j];
-        beyond = beyond * theta * INVERSE[j + 1] + all;
+        beyond = (beyond * theta).scaled_plus(INVERSE[j + 1], all);
         index -= 1.0;
     }
     weighted = weighted * theta + first;
-    let decayed = theta.map(|theta| (-theta).exp());
+    let decayed = theta.decayed();
     let until = (all - beyond * decayed, first - weighted * decayed);
     with_layer(stretch, terms, until, (area, moment))
 }

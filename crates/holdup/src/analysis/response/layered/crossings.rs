@@ -1,18 +1,19 @@
 //! How often the errors of several loops cross zero on a stretch, proven, and where.
 //!
-//! While a layer lasts, the error times e^θ is a power series whose coefficients of θ^j/j! are `t_j = q_j + Σ C(j, i)·S_i`, with
-//! the derivatives S_i of the smooth part by θ at the start. By Descartes' rule it has at most as many positive roots as the
-//! t_j have sign changes. What comes after the layer is a polynomial, whose values at some points and a bound on its second
-//! derivative decide.
+//! The stretch is cut into parts. The smooth part of the error and its derivatives at their ends, a bound on the fourth and bounds on the
+//! layer from each part on decide most of them. Where the layer is strong, the error times e^θ is a power series whose
+//! coefficients of θ^j/j! are `t_j = q_j + Σ C(j, i)·S_i`, with the derivatives S_i of the smooth part by θ at the start. By
+//! Descartes' rule it has at most as many positive roots as the t_j have sign changes.
 
 use super::super::legendre::TERMS;
-use super::lanes::{Lanes, lane_by_lane};
+use super::lanes::{Lanes, Set};
 use super::propagate::Stretch;
+use super::signal::LAYER_TERMS;
 use super::signals::Signals;
 use super::squares::dot;
 use super::tables::{EDGES, INVERSE, TABLES};
 
-/// Parts into which the polynomial is cut, and where they begin and end in units of one.
+/// Parts into which a stretch is cut, and where they begin and end in units of one.
 const PARTS: usize = 8;
 const STEPS: [f64; PARTS + 1] = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0];
 
@@ -20,179 +21,245 @@ const STEPS: [f64; PARTS + 1] = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0];
 const BLOCK: usize = 16;
 const BLOCK_LENGTH: f64 = 16.0;
 
-/// What is known of the roots of the errors.
-pub(super) struct Crossings<const L: usize> {
-    /// Number of roots of each loop, 0 or 1 where it is decided.
-    pub(super) roots: [Option<usize>; L],
-    /// Where the only root is, in s, and the values of the error there.
-    pub(super) bracket: (Lanes<L>, Lanes<L>),
-    pub(super) values: (Lanes<L>, Lanes<L>),
+/// A root: it is between these points, where the error has values of these signs.
+#[derive(Clone, Copy)]
+pub(super) struct Bracket<V> {
+    ends: (V, V),
+    values: (V, V),
 }
 
-/// The crossings of the loops that are `open`. `layer_end` is the value of the layers at the end of the stretch, `size` that
-/// of them, of which what is below `floor` does not count.
+impl<V: Lanes> Bracket<V> {
+    #[inline(always)]
+    fn only_in(self, loops: Set, other: Self) -> Self {
+        let pair = |a: (V, V), b: (V, V)| (a.0.only_in(loops, b.0), a.1.only_in(loops, b.1));
+        Self { ends: pair(self.ends, other.ends), values: pair(self.values, other.values) }
+    }
+}
+
+/// What is known of the roots of the errors.
+pub(super) struct Crossings<V> {
+    /// Loops with no root, with one, and with two.
+    pub(super) none: Set,
+    pub(super) one: Set,
+    pub(super) two: Set,
+    /// The first and the second root.
+    pub(super) roots: [Bracket<V>; 2],
+}
+
+/// Where two numbers differ in sign.
 #[inline(always)]
-pub(super) fn crossings<const L: usize>(
-    stretch: &Stretch<'_, L>,
-    open: [bool; L],
-    layer_end: Lanes<L>,
-    (size, floor): (Lanes<L>, Lanes<L>),
-) -> Crossings<L> {
+fn apart<V: Lanes>(a: V, b: V) -> Set {
+    let zero = a.like(0.0);
+    let (a, b) = (a.below(zero), b.below(zero));
+    a & !b | b & !a
+}
+
+/// The crossings of the loops that are `open`. `layer_end` is the value of the layers at the end of the stretch; what is below
+/// `floor` does not count.
+#[inline(always)]
+pub(super) fn crossings<V: Lanes>(
+    stretch: &Stretch<'_, V>,
+    open: Set,
+    layer_end: V,
+    floor: V,
+) -> Crossings<V> {
     let e = stretch.error;
     let theta = stretch.rate * stretch.length;
     let slopes = Slopes::new(e, stretch.terms);
     let (start, end) = e.smooth_ends();
     let end = end + layer_end;
     let first = if stretch.terms > 0 { start + e.layer[0] } else { start };
-    let ends = (Lanes::all(-1.0), Lanes::all(1.0));
-    let mut found = Crossings { roots: [None; L], bracket: ends, values: (first, end) };
-    let mut undecided = open;
-    let mut layered = false;
-    for l in 0..L {
-        let monotone = slopes.smooth.0[l] - 0.5 * theta.0[l] * slopes.layer.0[l] > 0.0;
-        if undecided[l] && monotone {
-            found.roots[l] = Some(usize::from((first.0[l] < 0.0) != (end.0[l] < 0.0)));
-            undecided[l] = false;
-        }
-        layered |= undecided[l] && size.0[l] > floor.0[l];
-    }
-    if undecided == [false; L] {
+    let whole = Bracket { ends: (theta.like(-1.0), theta.like(1.0)), values: (first, end) };
+    let crossed = apart(first, end);
+    let monotone = open & (theta * slopes.layer * 0.5).below(slopes.smooth);
+    let undecided = open & !monotone;
+    let (none, one) = (monotone & !crossed, monotone & crossed);
+    let mut found = Crossings { none, one, two: Set::NONE, roots: [whole; 2] };
+    if undecided == Set::NONE {
         return found;
     }
-    // From here on the layers do not count.
-    let over = if layered { layers_over(stretch, undecided, floor) } else { 0.0 };
-    let mut from = Lanes::all(-1.0);
-    let mut before = [Some(0); L];
-    if over > 0.0 {
-        if over >= theta.smallest() {
-            let most = roots_in_layer(stretch, theta.largest());
-            for l in 0..L {
-                let crossed = usize::from((first.0[l] < 0.0) != (end.0[l] < 0.0));
-                // With at most one root it is there exactly when the sign has changed.
-                if undecided[l] && most[l].is_some_and(|most| most <= 1 && most >= crossed) {
-                    found.roots[l] = Some(crossed);
-                }
-            }
-            return found;
-        }
-        from = Lanes::all(2.0 * over) / theta - Lanes::all(1.0);
-        let mut close = false;
-        for l in 0..L {
-            let travel = slopes.smooth_size.0[l] * (from.0[l] + 1.0);
-            if start.0[l].abs() <= travel + size.0[l] {
-                before[l] = None;
-                close |= undecided[l];
-            }
-        }
-        if close {
-            before = roots_in_layer(stretch, over);
-        }
+    let parts = Parts::new(stretch, slopes.fourth, (undecided, floor));
+    // The first part from which on everything is decided, for each loop; what is before it goes to Descartes.
+    let open = (0..PARTS).fold(Set::NONE, |open, k| open | parts.open[k]) & undecided;
+    found.add(&parts, 0, undecided & !open, (Set::NONE, whole));
+    if open == Set::NONE || stretch.terms == 0 {
+        return found;
     }
-    let nodes = Nodes::new(e, from, slopes.bend);
-    for l in 0..L {
-        if !undecided[l] {
-            continue;
-        }
-        let middle = nodes.values[0].0[l];
-        let inside = before[l].filter(|most| *most <= 1);
-        let crossed = usize::from(over > 0.0 && (first.0[l] < 0.0) != (middle < 0.0));
-        // With at most one root it is there exactly when the sign has changed.
-        let Some(_) = inside.filter(|most| *most >= crossed) else { continue };
-        match (crossed, nodes.roots(l)) {
-            (0, Some((roots, part))) => {
-                found.roots[l] = Some(roots);
-                if roots == 1 {
-                    let step = (1.0 - from.0[l]) / STEPS[PARTS];
-                    found.bracket.0.0[l] = from.0[l] + step * STEPS[part];
-                    found.bracket.1.0[l] = from.0[l] + step * STEPS[part + 1];
-                    found.values.0.0[l] = nodes.values[part].0[l];
-                    found.values.1.0[l] = nodes.values[part + 1].0[l];
-                }
-            }
-            (1, Some((0, _))) => {
-                found.roots[l] = Some(1);
-                found.bracket.1.0[l] = from.0[l];
-                found.values.1.0[l] = middle;
-            }
-            _ => {}
-        }
-    }
+    let from = (0..PARTS).rposition(|k| parts.open[k] & open != Set::NONE).map_or(0, |last| last + 1);
+    let over = theta.largest() * STEPS[from] / STEPS[PARTS];
+    let (at_most_one, none) = roots_in_layer(stretch, over);
+    let (until, value) =
+        if from < PARTS { (parts.at(from), parts.values[from]) } else { (whole.ends.1, end) };
+    // With at most one root it is there exactly when the sign has changed.
+    let crossed = apart(first, value);
+    let decided = open & at_most_one & (!none | !crossed);
+    let early = Bracket { ends: (whole.ends.0, until), values: (first, value) };
+    found.add(&parts, from, decided, (crossed, early));
     found
 }
 
-/// Bounds on derivatives by s.
-struct Slopes<const L: usize> {
-    /// On that of the smooth part from below, negative where of no use, and from above.
-    smooth: Lanes<L>,
-    smooth_size: Lanes<L>,
-    /// On that of the layer by θ from above.
-    layer: Lanes<L>,
-    /// On the second derivative of the smooth part from above.
-    bend: Lanes<L>,
+impl<V: Lanes> Crossings<V> {
+    /// Adds loops whose roots are decided: those in the parts from number `from` on, and one before them where `early`.
+    #[inline(always)]
+    fn add(&mut self, parts: &Parts<V>, from: usize, of: Set, (early, bracket): (Set, Bracket<V>)) {
+        let (mut once, mut twice, mut more) = (of & early, Set::NONE, Set::NONE);
+        self.roots[0] = bracket.only_in(once, self.roots[0]);
+        for k in from..PARTS {
+            let changed = of & parts.changed[k];
+            if changed == Set::NONE {
+                continue;
+            }
+            let here = Bracket {
+                ends: (parts.at(k), parts.at(k + 1)),
+                values: (parts.values[k], parts.values[k + 1]),
+            };
+            self.roots[0] = here.only_in(changed & !once, self.roots[0]);
+            self.roots[1] = here.only_in(changed & once & !twice, self.roots[1]);
+            more = more | changed & twice;
+            twice = twice | changed & once;
+            once = once | changed;
+        }
+        self.none = self.none | of & !once;
+        self.one = self.one | once & !twice;
+        self.two = self.two | twice & !more;
+    }
 }
 
-impl<const L: usize> Slopes<L> {
+/// Bounds on derivatives by s.
+struct Slopes<V> {
+    /// On that of the smooth part from below, negative where of no use.
+    smooth: V,
+    /// On that of the layer by θ from above.
+    layer: V,
+    /// On the fourth derivative of the smooth part from above.
+    fourth: V,
+}
+
+impl<V: Lanes> Slopes<V> {
     #[inline(always)]
-    fn new(e: &Signals<L>, terms: usize) -> Self {
-        let (mut others, mut bend) = (Lanes::ZERO, Lanes::ZERO);
+    fn new(e: &Signals<V>, terms: usize) -> Self {
+        let zero = e.smooth[0].like(0.0);
+        let (mut others, mut fourth) = (zero, zero);
         let mut index = 2.0;
         for c in e.smooth[..e.order].iter().skip(2) {
-            lane_by_lane::<L>();
-            others += c.abs() * index;
-            bend += c.abs() * (index * (index - 1.0));
+            others = c.abs().scaled_plus(index, others);
+            fourth = c.abs().scaled_plus(index * (index - 1.0) * (index - 2.0) * (index - 3.0), fourth);
             index += 1.0;
         }
-        let first = if e.order > 1 { e.smooth[1].abs() } else { Lanes::ZERO };
-        let mut layer = Lanes::ZERO;
-        for (j, q) in e.layer[..terms].iter().enumerate() {
-            lane_by_lane::<L>();
-            let next = if j + 1 < terms { e.layer[j + 1] } else { Lanes::ZERO };
-            layer += (next - *q).abs();
-        }
-        Self { smooth: first - others * (1.0 + 1e-14), smooth_size: first + others, layer, bend }
+        let first = if e.order > 1 { e.smooth[1].abs() } else { zero };
+        let layer = bounds_in_layer(&e.layer[..terms], &[1.0; LAYER_TERMS], zero).0;
+        Self { smooth: first - others * (1.0 + 1e-14), layer, fourth }
     }
 }
 
-/// From here on, on the layers' axis, those of the loops in question are below `floor`.
-#[inline(always)]
-fn layers_over<const L: usize>(stretch: &Stretch<'_, L>, of: [bool; L], floor: Lanes<L>) -> f64 {
-    let layer = &stretch.error.layer[..stretch.terms];
-    for (edge, bounds) in EDGES.iter().zip(&TABLES.bounds).skip(1) {
-        let mut bound = Lanes::ZERO;
-        for (q, weight) in layer.iter().zip(bounds) {
-            lane_by_lane::<L>();
-            bound += q.abs() * *weight;
-        }
-        if (0..L).all(|l| !of[l] || bound.0[l] <= floor.0[l]) {
-            return *edge;
-        }
-    }
-    f64::INFINITY
+/// The error between points at equal distances.
+struct Parts<V> {
+    /// Values of the smooth part at these points.
+    values: [V; PARTS + 1],
+    /// Length of a part.
+    step: V,
+    /// Loops for which a part has one root, and those for which it is not decided.
+    changed: [Set; PARTS],
+    open: [Set; PARTS],
 }
 
-/// A bound on the number of roots up to `over`: the sign changes of the t_j, as far as these matter before `over`; `None` where
-/// rounding may hide one.
+impl<V: Lanes> Parts<V> {
+    /// `fourth` is a bound on the fourth derivative of the smooth part by s.
+    #[inline(always)]
+    fn new(stretch: &Stretch<'_, V>, fourth: V, (of, floor): (Set, V)) -> Self {
+        let e = stretch.error;
+        let zero = fourth.like(0.0);
+        let step = zero.like(2.0 / STEPS[PARTS]);
+        let mut values = [zero; PARTS + 1];
+        let (mut slopes, mut bends) = (values, values);
+        for k in 0..=PARTS {
+            let s = step.scaled_plus(STEPS[k], zero.like(-1.0));
+            let (mut value, mut slope, mut half) = (zero, zero, zero);
+            for c in e.smooth[..e.order].iter().rev() {
+                half = half.times_plus(s, slope);
+                slope = slope.times_plus(s, value);
+                value = value.times_plus(s, *c);
+            }
+            (values[k], slopes[k], bends[k]) = (value, slope, half.abs() * 2.0);
+        }
+        // How far the second derivative may be from its chord.
+        let bulge = step * step * fourth * 0.126;
+        let theta = stretch.rate * stretch.length;
+        let (shortest, by_s) = (theta.smallest() / STEPS[PARTS], theta * 0.5);
+        let mut decayed = stretch.terms == 0;
+        let (mut layer, mut layer_slope) = (zero, zero);
+        let mut new = Self { values, step, changed: [Set::NONE; PARTS], open: [Set::NONE; PARTS] };
+        for k in 0..PARTS {
+            if !decayed {
+                let edge = EDGES.iter().rposition(|edge| *edge <= shortest * STEPS[k]).unwrap_or(0);
+                let own = &e.layer[..stretch.terms];
+                (layer_slope, layer) = bounds_in_layer(own, &TABLES.bounds[edge], zero);
+                layer_slope = layer_slope * by_s;
+                decayed = of & !(layer.at_most(floor) & layer_slope.at_most(floor)) == Set::NONE;
+                if decayed {
+                    (layer, layer_slope) = (zero, zero);
+                }
+            }
+            // Over the part the slope changes by no more than this, and no value is farther from the chord.
+            let bend = bends[k].max(bends[k + 1]) + bulge;
+            let (turn, sag) = (step * bend, step * step * bend * 0.126);
+            let (a, b) = (values[k], values[k + 1]);
+            let (least, slope) = (a.abs().min(b.abs()), slopes[k].abs().max(slopes[k + 1].abs()));
+            let sure = layer.at_most(least);
+            let changed = apart(a, b);
+            // The smooth part rises or falls all the way; so does the error.
+            let (steep, steeper) = (turn.below(slope), (turn + layer_slope).below(slope));
+            let clear = (sag + layer).below(least) | sure & steep;
+            new.changed[k] = changed;
+            new.open[k] = !changed & !clear | changed & !(sure & steeper);
+        }
+        new
+    }
+
+    /// Where part `k` begins.
+    #[inline(always)]
+    fn at(&self, k: usize) -> V {
+        self.step.scaled_plus(STEPS[k], self.step.like(-1.0))
+    }
+}
+
+/// Bounds on the derivative of a layer by θ and on the layer, where no `e^(−θ)·θ^j/j!` exceeds these bounds.
 #[inline(always)]
-fn roots_in_layer<const L: usize>(stretch: &Stretch<'_, L>, over: f64) -> [Option<usize>; L] {
+fn bounds_in_layer<V: Lanes>(layer: &[V], bounds: &[f64], zero: V) -> (V, V) {
+    let (mut slope, mut size) = (zero, zero);
+    let mut before = zero;
+    for (q, bound) in layer.iter().zip(bounds).rev() {
+        slope = (before - *q).abs().scaled_plus(*bound, slope);
+        size = q.abs().scaled_plus(*bound, size);
+        before = *q;
+    }
+    (slope, size)
+}
+
+/// Loops with at most one root up to `over`, and with none: as many as the t_j change their sign, as far as these matter
+/// before `over`, where no rounding may hide a change.
+#[inline(always)]
+fn roots_in_layer<V: Lanes>(stretch: &Stretch<'_, V>, over: f64) -> (Set, Set) {
     let e = stretch.error;
-    let per_theta = Lanes::all(2.0) / (stretch.rate * stretch.length);
-    let mut differences = [Lanes::ZERO; TERMS];
-    let mut scale = Lanes::all(1.0);
+    let zero = stretch.length.like(0.0);
+    let per_theta = zero.like(2.0) / (stretch.rate * stretch.length);
+    let mut differences = [zero; TERMS];
+    let mut scale = zero.like(1.0);
     let (mut power, mut used) = (1.0, 0);
-    let mut largest = Lanes::ZERO;
+    let mut largest = zero;
     for i in 0..e.order {
-        differences[i] = scale * dot(&e.smooth[i..e.order], &TABLES.at_start[i][i..]);
+        differences[i] = scale * dot(&e.smooth[i..e.order], &TABLES.at_start[i][i..], zero);
         used = i + 1;
         let size = differences[i].abs() * power;
         largest = largest.max(size);
         // The terms fall from here on: what is left does not count before `over`.
-        if i > 2 && size.every(largest, |size, largest| size <= 1e-14 * largest) {
+        if i > 2 && size.all_at_most(largest * 1e-14) {
             break;
         }
         scale = scale * per_theta;
         power *= over * INVERSE[i + 1];
     }
-    let mut signs = Changes::new(differences[0].abs());
+    let mut signs = Changes::new(differences[0]);
     let differences = &mut differences[..used];
     for q in &e.layer[..stretch.terms] {
         signs.next(*q, differences);
@@ -202,176 +269,101 @@ fn roots_in_layer<const L: usize>(stretch: &Stretch<'_, L>, over: f64) -> [Optio
     #[expect(clippy::cast_precision_loss, reason = "at most 64")]
     let mut beyond = over + 10.0 * over.sqrt() + 10.0 - stretch.terms as f64;
     while beyond > 0.0 {
-        let (mut others, mut power, mut order) = (Lanes::ZERO, 1.0, 0.0);
+        let (mut others, mut power, mut order) = (zero, 1.0, 0.0);
         for difference in &differences[1..] {
             order += 1.0;
             power *= beyond / order;
-            others += difference.abs() * power;
+            others = difference.abs().scaled_plus(power, others);
         }
-        let steady = others.every(differences[0].abs(), |others, first| others < first);
+        let steady = others.below(differences[0].abs()) == V::every();
         for _ in 0..if steady { 1 } else { BLOCK } {
-            signs.next(Lanes::ZERO, differences);
+            signs.next(zero, differences);
         }
         beyond = if steady { 0.0 } else { beyond - BLOCK_LENGTH };
     }
-    let mut most = [None; L];
-    for l in 0..L {
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small count")]
-        let changes = signs.count.0[l] as usize;
-        most[l] = (signs.least.0[l] > 0.0).then_some(changes);
-    }
-    most
+    let certain = zero.below(signs.least);
+    (certain & !signs.twice, certain & !signs.once)
 }
 
-/// Counts sign changes.
-struct Changes<const L: usize> {
+/// Counts sign changes up to two.
+struct Changes<V> {
     /// Size below which, times 1e-13, a number may have either sign.
-    size: Lanes<L>,
-    before: Lanes<L>,
-    count: Lanes<L>,
+    size: V,
+    negative: Option<Set>,
+    once: Set,
+    twice: Set,
     /// Not positive once a sign was not certain.
-    least: Lanes<L>,
+    least: V,
 }
 
-impl<const L: usize> Changes<L> {
+impl<V: Lanes> Changes<V> {
     #[inline(always)]
-    fn new(size: Lanes<L>) -> Self {
-        Self { size, before: Lanes::ZERO, count: Lanes::ZERO, least: Lanes::all(f64::INFINITY) }
+    fn new(first: V) -> Self {
+        let least = first.like(f64::INFINITY);
+        Self { size: first.abs(), negative: None, once: Set::NONE, twice: Set::NONE, least }
     }
 
     /// The next number is `own` plus the value of the polynomial with these differences, which moves on.
     #[inline(always)]
-    fn next(&mut self, own: Lanes<L>, differences: &mut [Lanes<L>]) {
+    fn next(&mut self, own: V, differences: &mut [V]) {
         let t = own + differences[0];
-        self.least = self.least.min(t.abs() - (own.abs() + self.size) * 1e-13);
-        self.count += (t * self.before).map(|product| if product < 0.0 { 1.0 } else { 0.0 });
-        self.before = t.map(|t| 1f64.copysign(t));
+        self.least = self.least.min((own.abs() + self.size).scaled_plus(-1e-13, t.abs()));
+        let negative = t.below(t.like(0.0));
+        let before = self.negative.unwrap_or(negative);
+        let changed = negative & !before | before & !negative;
+        self.twice = self.twice | self.once & changed;
+        self.once = self.once | changed;
+        self.negative = Some(negative);
         for i in 1..differences.len() {
-            lane_by_lane::<L>();
             let next = differences[i];
             differences[i - 1] += next;
         }
     }
 }
 
-/// Values of a polynomial between `from` and 1, and a bound on how far it is from the chords between them.
-struct Nodes<const L: usize> {
-    values: [Lanes<L>; PARTS + 1],
-    slopes: [Lanes<L>; PARTS + 1],
-    /// Length of a part times the bound on the second derivative.
-    turn: Lanes<L>,
-    /// Largest distance from a chord.
-    sag: Lanes<L>,
-}
-
-impl<const L: usize> Nodes<L> {
-    #[inline(always)]
-    fn new(e: &Signals<L>, from: Lanes<L>, bend: Lanes<L>) -> Self {
-        let step = (Lanes::all(1.0) - from) * (1.0 / STEPS[PARTS]);
-        let (mut values, mut slopes) = ([Lanes::ZERO; PARTS + 1], [Lanes::ZERO; PARTS + 1]);
-        for k in 0..=PARTS {
-            let s = from + step * STEPS[k];
-            let (mut value, mut slope) = (Lanes::ZERO, Lanes::ZERO);
-            for c in e.smooth[..e.order].iter().rev() {
-                lane_by_lane::<L>();
-                slope = slope * s + value;
-                value = value * s + *c;
-            }
-            (values[k], slopes[k]) = (value, slope);
-        }
-        Self { values, slopes, turn: step * bend, sag: step * step * bend * 0.126 }
-    }
-
-    /// The number of roots of loop `l` if it is decided and at most 1, and the part in which that one is.
-    #[inline(always)]
-    fn roots(&self, l: usize) -> Option<(usize, usize)> {
-        let mut found = None;
-        let sag = self.sag.0[l];
-        for k in 0..PARTS {
-            let (a, b) = (self.values[k].0[l], self.values[k + 1].0[l]);
-            let steep = self.slopes[k].0[l].abs().max(self.slopes[k + 1].0[l].abs()) > self.turn.0[l];
-            if (a < 0.0) == (b < 0.0) {
-                if a.abs().min(b.abs()) <= sag && !steep {
-                    return None;
-                }
-            } else if !steep || found.is_some() {
-                return None;
-            } else {
-                found = Some(k);
-            }
-        }
-        Some(found.map_or((0, 0), |part| (1, part)))
-    }
-}
-
-/// The only root of the errors that cross zero once.
+/// The root of these loops that is in the bracket.
 #[inline(always)]
-pub(super) fn only_root<const L: usize>(
-    stretch: &Stretch<'_, L>,
-    terms: usize,
-    found: &Crossings<L>,
-) -> Lanes<L> {
+pub(super) fn root<V: Lanes>(stretch: &Stretch<'_, V>, terms: usize, of: Set, bracket: &Bracket<V>) -> V {
     let e = stretch.error;
+    let zero = stretch.length.like(0.0);
     let half_theta = stretch.rate * stretch.length * 0.5;
-    let (mut low, mut high) = found.bracket;
-    let (start, end) = found.values;
-    let mut s = low - start * (high - low) / (end - start);
-    let mut done = found.roots.map(|roots| roots != Some(1));
-    for l in 0..L {
-        if done[l] {
-            s.0[l] = 0.0;
-        }
-    }
+    let (mut low, mut high) = bracket.ends;
+    let (start, end) = bracket.values;
+    let mut s = (low - start * (high - low) / (end - start)).only_in(of, zero);
+    let mut left = of;
     let layer = &e.layer[..terms];
     for _ in 0..100 {
-        for l in 0..L {
-            let inside = s.0[l] > low.0[l] && s.0[l] < high.0[l];
-            if !inside && !done[l] {
-                s.0[l] = 0.5 * (low.0[l] + high.0[l]);
-            }
-        }
-        let (mut value, mut slope) = (Lanes::ZERO, Lanes::ZERO);
+        let inside = low.below(s) & s.below(high);
+        s = ((low + high) * 0.5).only_in(left & !inside, s);
+        let (mut value, mut slope) = (zero, zero);
         for c in e.smooth[..e.order].iter().rev() {
-            lane_by_lane::<L>();
-            slope = slope * s + value;
-            value = value * s + *c;
+            slope = slope.times_plus(s, value);
+            value = value.times_plus(s, *c);
         }
         if terms > 0 {
-            let theta = (half_theta * (s + Lanes::all(1.0))).map(|theta| theta.clamp(0.0, 700.0));
-            let (mut sum, mut rise, mut next) = (Lanes::ZERO, Lanes::ZERO, Lanes::ZERO);
+            let theta = (half_theta * (s + zero.like(1.0))).max(zero).min(zero.like(700.0));
+            let (mut sum, mut rise, mut next) = (zero, zero, zero);
             for (j, q) in layer.iter().enumerate().rev() {
-                lane_by_lane::<L>();
-                sum = sum * theta * INVERSE[j + 1] + *q;
-                rise = rise * theta * INVERSE[j + 1] + (next - *q);
+                sum = (sum * theta).scaled_plus(INVERSE[j + 1], *q);
+                rise = (rise * theta).scaled_plus(INVERSE[j + 1], next - *q);
                 next = *q;
             }
-            let decayed = theta.map(|theta| (-theta).exp());
-            value += sum * decayed;
+            let decayed = theta.decayed();
+            value = sum.times_plus(decayed, value);
             slope += half_theta * rise * decayed;
         }
-        let mut all = true;
-        for l in 0..L {
-            if done[l] {
-                continue;
-            }
-            if (value.0[l] < 0.0) == (start.0[l] < 0.0) {
-                low.0[l] = s.0[l];
-            } else {
-                high.0[l] = s.0[l];
-            }
-            let next = s.0[l] - value.0[l] / slope.0[l];
-            // The error of an integral is of second order in that of the root, and Newton squares the latter: 1e-9
-            // becomes rounding. A short step out of the bracket leads to another root, not to the one that is inside.
-            let inside = next >= low.0[l] && next <= high.0[l];
-            if (inside && (next - s.0[l]).abs() < 1e-9) || high.0[l] - low.0[l] < 1e-12 {
-                s.0[l] = next.clamp(low.0[l], high.0[l]);
-                done[l] = true;
-            } else {
-                s.0[l] = next;
-                all = false;
-            }
-        }
-        if all {
+        let after = left & apart(value, start);
+        high = s.only_in(after, high);
+        low = s.only_in(left & !after, low);
+        let next = s - value / slope;
+        // The error of an integral is of second order in that of the root, and Newton squares the latter: 1e-9
+        // becomes rounding. A short step out of the bracket leads to another root, not to the one that is inside.
+        let inside = low.at_most(next) & next.at_most(high);
+        let short = (next - s).abs().below(zero.like(1e-9));
+        let done = left & (inside & short | (high - low).below(zero.like(1e-12)));
+        s = next.max(low).min(high).only_in(done, next.only_in(left, s));
+        left = left & !done;
+        if left == Set::NONE {
             break;
         }
     }

@@ -3,6 +3,7 @@
 use super::super::legendre::{BATCH, in_batches};
 use super::signal::LAYER_TERMS;
 use super::tables::INVERSE;
+use crate::analysis::widest;
 
 /// Adds `factor` times the layer with these coefficients, of a segment that starts at `start`, to the values at these times.
 pub(in super::super) fn add_layer(
@@ -22,21 +23,25 @@ pub(in super::super) fn add_layer(
     in_batches(times, values, start, |times, values| add_batch(powers, (start, rate), times, values));
 }
 
-#[multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2"))]
 fn add_batch(powers: &[f64], (start, rate): (f64, f64), times: &[f64; BATCH], values: &mut [f64; BATCH]) {
-    let (mut theta, mut sums) = ([0.0; BATCH], [0.0; BATCH]);
-    for i in 0..BATCH {
-        theta[i] = (rate * (times[i] - start)).clamp(0.0, 700.0);
-    }
-    for c in powers.iter().rev() {
-        for i in 0..BATCH {
-            sums[i] = sums[i] * theta[i] + c;
-        }
-    }
-    let decayed = exponentials(&theta);
-    for i in 0..BATCH {
-        values[i] += sums[i] * decayed[i];
-    }
+    widest(
+        #[inline(always)]
+        || {
+            let (mut theta, mut sums) = ([0.0; BATCH], [0.0; BATCH]);
+            for i in 0..BATCH {
+                theta[i] = (rate * (times[i] - start)).clamp(0.0, 700.0);
+            }
+            for c in powers.iter().rev() {
+                for i in 0..BATCH {
+                    sums[i] = sums[i] * theta[i] + c;
+                }
+            }
+            let decayed = exponentials(&theta);
+            for i in 0..BATCH {
+                values[i] += sums[i] * decayed[i];
+            }
+        },
+    );
 }
 
 /// `e^(−θ)` for θ from 0 to 700, in lanes: 2^k times a Taylor polynomial on |r| ≤ ln(2)/2, whose next term is below 1e-17.

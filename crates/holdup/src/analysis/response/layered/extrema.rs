@@ -10,6 +10,7 @@ use super::super::roots::sign_changes;
 use super::segment::Segment;
 use super::signal::{LAYER_TERMS, Signal};
 use super::tables::INVERSE;
+use crate::analysis::widest;
 
 /// A layer that is less than this part of the variation so far does not count: 50 segments of it are below 1e-12.
 const NOTHING: f64 = 2e-15;
@@ -186,24 +187,28 @@ impl Start {
     }
 }
 
-#[multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2"))]
 fn slopes(layer: &[f64], smooth: &[f64], points: &[f64; 8]) -> [f64; 8] {
-    let (mut sums, mut values, mut slopes) = ([0.0; 8], [0.0; 8], [0.0; 8]);
-    for c in layer.iter().rev() {
-        for k in 0..8 {
-            sums[k] = sums[k] * points[k] + c;
-        }
-    }
-    for c in smooth.iter().rev() {
-        for k in 0..8 {
-            slopes[k] = slopes[k] * points[k] + values[k];
-            values[k] = values[k] * points[k] + c;
-        }
-    }
-    for k in 0..8 {
-        slopes[k] += sums[k] * (-points[k]).exp();
-    }
-    slopes
+    widest(
+        #[inline(always)]
+        || {
+            let (mut sums, mut values, mut slopes) = ([0.0; 8], [0.0; 8], [0.0; 8]);
+            for c in layer.iter().rev() {
+                for k in 0..8 {
+                    sums[k] = sums[k] * points[k] + c;
+                }
+            }
+            for c in smooth.iter().rev() {
+                for k in 0..8 {
+                    slopes[k] = slopes[k] * points[k] + values[k];
+                    values[k] = values[k] * points[k] + c;
+                }
+            }
+            for k in 0..8 {
+                slopes[k] += sums[k] * (-points[k]).exp();
+            }
+            slopes
+        },
+    )
 }
 
 /// Extrema between the start and `over`.
@@ -272,42 +277,46 @@ fn in_layer(segment: &Segment<'_>, x: &Signal, over: f64, extrema: &mut Extrema)
 const BLOCK: usize = 16;
 
 /// Sign changes of `t_j = r_j + Σ C(j, i)·S_i`, as far as these matter before `over`; one more where rounding may hide one.
-#[multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2"))]
 fn variations(r: &[f64], slope: &[f64], over: f64) -> usize {
-    // Values of the polynomial Σ C(j, i)·S_i at j = 0, 1, …, from its differences, which are the S_i.
-    let mut differences = [0.0; TERMS];
-    differences[..slope.len()].copy_from_slice(slope);
-    let (mut before, mut count) = (0.0f64, 0);
-    let mut next = |own: f64, differences: &mut [f64]| {
-        let t = own + differences[0];
-        count += usize::from(t.abs() <= 1e-13 * (own.abs() + slope[0].abs()));
-        count += usize::from(before != 0.0 && (before < 0.0) != (t < 0.0));
-        before = t;
-        for i in 1..differences.len() {
-            differences[i - 1] += differences[i];
-        }
-    };
-    let differences = &mut differences[..slope.len()];
-    for &own in r {
-        next(own, differences);
-    }
-    // Beyond the layer's terms there is the polynomial alone. Coefficients are means of what is near θ = j: ten widths past
-    // the end of the layer they are nothing within it.
-    let mut beyond = over + 10.0 * over.sqrt() + 10.0 - number(r.len());
-    while beyond > 0.0 {
-        let (mut others, mut power, mut order) = (0.0, 1.0, 0.0);
-        for difference in &differences[1..] {
-            order += 1.0;
-            power *= beyond / order;
-            others += difference.abs() * power;
-        }
-        let steady = differences[0].abs() > others;
-        for _ in 0..if steady { 1 } else { BLOCK } {
-            next(0.0, differences);
-        }
-        beyond = if steady { 0.0 } else { beyond - number(BLOCK) };
-    }
-    count
+    widest(
+        #[inline(always)]
+        || {
+            // Values of the polynomial Σ C(j, i)·S_i at j = 0, 1, …, from its differences, which are the S_i.
+            let mut differences = [0.0; TERMS];
+            differences[..slope.len()].copy_from_slice(slope);
+            let (mut before, mut count) = (0.0f64, 0);
+            let mut next = |own: f64, differences: &mut [f64]| {
+                let t = own + differences[0];
+                count += usize::from(t.abs() <= 1e-13 * (own.abs() + slope[0].abs()));
+                count += usize::from(before != 0.0 && (before < 0.0) != (t < 0.0));
+                before = t;
+                for i in 1..differences.len() {
+                    differences[i - 1] += differences[i];
+                }
+            };
+            let differences = &mut differences[..slope.len()];
+            for &own in r {
+                next(own, differences);
+            }
+            // Beyond the layer's terms there is the polynomial alone. Coefficients are means of what is near θ = j: ten widths past
+            // the end of the layer they are nothing within it.
+            let mut beyond = over + 10.0 * over.sqrt() + 10.0 - number(r.len());
+            while beyond > 0.0 {
+                let (mut others, mut power, mut order) = (0.0, 1.0, 0.0);
+                for difference in &differences[1..] {
+                    order += 1.0;
+                    power *= beyond / order;
+                    others += difference.abs() * power;
+                }
+                let steady = differences[0].abs() > others;
+                for _ in 0..if steady { 1 } else { BLOCK } {
+                    next(0.0, differences);
+                }
+                beyond = if steady { 0.0 } else { beyond - number(BLOCK) };
+            }
+            count
+        },
+    )
 }
 
 #[expect(clippy::cast_precision_loss, reason = "at most 64")]

@@ -9,47 +9,41 @@ use super::segment::Segment;
 use super::signal::Signal;
 use super::squares::squares;
 
-/// A part of a sum below this is left out: a hundred of them are 1e-13.
-pub(super) const ROUNDING: f64 = 1e-15;
-
-/// A result for each loop where it is decided.
-pub(super) type PerLoop<T, const L: usize> = [Option<T>; L];
+/// A part of a sum below this is left out: a hundred of them are 2e-12.
+pub(super) const ROUNDING: f64 = 2e-14;
 
 /// ISE, control energy, IAE and ITAE of each loop so far.
-pub(super) struct Integrals<const L: usize> {
-    ise: Lanes<L>,
-    energy: Lanes<L>,
-    iae: Lanes<L>,
-    itae: Lanes<L>,
+pub(super) struct Integrals<V> {
+    ise: V,
+    energy: V,
+    iae: V,
+    itae: V,
     /// One lane, where it goes alone.
     alone: (Signal, Signal),
 }
 
-impl<const L: usize> Integrals<L> {
-    pub(super) fn new() -> Self {
-        let zero = Lanes::ZERO;
+impl<V: Lanes> Integrals<V> {
+    pub(super) fn new(token: V::Token) -> Self {
+        let zero = V::zero(token);
         Self { ise: zero, energy: zero, iae: zero, itae: zero, alone: (Signal::ZERO, Signal::ZERO) }
     }
 
     /// IAE, ISE, ITAE and control energy of each loop.
-    pub(super) fn finish(&self) -> [[f64; 4]; L] {
-        let mut all = [[0.0; 4]; L];
-        for (l, sums) in all.iter_mut().enumerate() {
-            *sums = [self.iae.0[l], self.ise.0[l], self.itae.0[l], self.energy.0[l]];
-        }
-        all
+    pub(super) fn finish(&self) -> Vec<[f64; 4]> {
+        (0..V::COUNT).map(|l| [self.iae[l], self.ise[l], self.itae[l], self.energy[l]]).collect()
     }
 
     /// What [`Measure`] makes of one lane of a stretch.
-    fn of_one(&mut self, stretch: &Stretch<'_, L>, l: usize, of: impl Fn(&mut Measure, &Segment<'_>)) {
+    #[cold]
+    fn of_one(&mut self, stretch: &Stretch<'_, V>, l: usize, of: impl Fn(&mut Measure, &Segment<'_>)) {
         let terms = stretch.terms;
         stretch.error.of_loop(l, terms, &mut self.alone.0);
         stretch.manipulated.of_loop(l, terms, &mut self.alone.1);
         let segment = Segment {
-            start: stretch.start.0[l],
-            length: stretch.length.0[l],
+            start: stretch.start[l],
+            length: stretch.length[l],
             setpoint: stretch.setpoint,
-            rate: stretch.rate.0[l],
+            rate: stretch.rate[l],
             terms,
             error: &self.alone.0,
             manipulated: &self.alone.1,
@@ -57,33 +51,29 @@ impl<const L: usize> Integrals<L> {
             stretch: None,
         };
         let mut measure = Measure::new(None);
-        (measure.ise, measure.energy) = (self.ise.0[l], self.energy.0[l]);
-        (measure.iae, measure.itae) = (self.iae.0[l], self.itae.0[l]);
+        (measure.ise, measure.energy) = (self.ise[l], self.energy[l]);
+        (measure.iae, measure.itae) = (self.iae[l], self.itae[l]);
         of(&mut measure, &segment);
-        (self.ise.0[l], self.energy.0[l]) = (measure.ise, measure.energy);
-        (self.iae.0[l], self.itae.0[l]) = (measure.iae, measure.itae);
+        (self.ise[l], self.energy[l]) = (measure.ise, measure.energy);
+        (self.iae[l], self.itae[l]) = (measure.iae, measure.itae);
     }
 }
 
-impl<const L: usize> Follow<L> for Integrals<L> {
-    fn stretch(&mut self, stretch: &Stretch<'_, L>) {
+impl<V: Lanes> Follow<V> for Integrals<V> {
+    #[inline(always)]
+    fn stretch(&mut self, stretch: &Stretch<'_, V>) {
         let (errors, outputs) = squares(stretch, (self.ise, self.energy));
-        for l in 0..L {
-            if let (Some(error), Some(output)) = (errors[l], outputs[l]) {
-                self.ise.0[l] += error;
-                self.energy.0[l] += output;
-            } else {
-                self.of_one(stretch, l, Measure::add_squares);
-            }
+        let known = errors.1 & outputs.1;
+        self.ise = (self.ise + errors.0).only_in(known, self.ise);
+        self.energy = (self.energy + outputs.0).only_in(known, self.energy);
+        for l in (V::every() & !known).iter() {
+            self.of_one(stretch, l, Measure::add_squares);
         }
-        let areas = areas(stretch, (self.iae, self.itae));
-        for l in 0..L {
-            if let Some((area, moment)) = areas[l] {
-                self.iae.0[l] += area;
-                self.itae.0[l] += moment;
-            } else {
-                self.of_one(stretch, l, Measure::add_areas);
-            }
+        let ((area, moment), known) = areas(stretch, (self.iae, self.itae));
+        self.iae = (self.iae + area).only_in(known, self.iae);
+        self.itae = (self.itae + moment).only_in(known, self.itae);
+        for l in (V::every() & !known).iter() {
+            self.of_one(stretch, l, Measure::add_areas);
         }
     }
 }

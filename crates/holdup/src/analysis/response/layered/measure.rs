@@ -5,7 +5,7 @@ use super::super::legendre::{ends, square_integral};
 use super::super::measure::{BANDS, Measure};
 use super::areas::areas;
 use super::extrema::{Extrema, extrema};
-use super::lanes::Lanes;
+use super::lanes::{One, Set};
 use super::segment::{Part, Segment};
 use super::signal::{Signal, sum_of_magnitudes};
 use super::squares::squares;
@@ -63,18 +63,22 @@ impl Measure {
 
     /// ∫e² and ∫u².
     fn segment_squares(&mut self, segment: &Segment<'_>, errors: &mut Parts<'_>, outputs: &mut Parts<'_>) {
-        let so_far = (Lanes([self.ise]), Lanes([self.energy]));
-        let known = segment.stretch.map_or(([None], [None]), |stretch| squares(stretch, so_far));
-        self.ise += known.0[0].unwrap_or_else(|| square(errors));
-        self.energy += known.1[0].unwrap_or_else(|| square(outputs));
+        let so_far = (One(self.ise), One(self.energy));
+        let undecided = (One(0.0), Set::NONE);
+        let of_both = segment.stretch.map_or((undecided, undecided), |stretch| squares(stretch, so_far));
+        let ((ise, ise_known), (energy, energy_known)) = of_both;
+        self.ise += if ise_known.has(0) { ise.0 } else { square(errors) };
+        self.energy += if energy_known.has(0) { energy.0 } else { square(outputs) };
     }
 
     /// ∫|e| and ∫t·|e|.
     fn segment_integrals(&mut self, segment: &Segment<'_>, errors: &mut Parts<'_>) {
-        let so_far = (Lanes([self.iae]), Lanes([self.itae]));
-        if let Some((area, moment)) = segment.stretch.and_then(|stretch| areas(stretch, so_far)[0]) {
-            self.iae += area;
-            self.itae += moment;
+        let so_far = (One(self.iae), One(self.itae));
+        if let Some(((area, moment), known)) = segment.stretch.map(|stretch| areas(stretch, so_far))
+            && known.has(0)
+        {
+            self.iae += area.0;
+            self.itae += moment.0;
             return;
         }
         for part in errors.get() {

@@ -38,8 +38,11 @@ mod tables;
 mod together;
 
 pub(super) use evaluate::add_layer;
+pub(super) use lanes::MOST;
 pub(super) use segment::Segment;
 pub(super) use signal::Signal;
+
+use fearless_simd::{Level, Simd as _, dispatch, f64x8};
 
 use super::cell::{Outcome, Watch};
 use super::error::ResponseError;
@@ -47,6 +50,7 @@ use super::scenario::Scenario;
 use super::system::System;
 use alone::Alone;
 use integrals::Integrals;
+use lanes::{Lanes, One};
 use plan::Plan;
 use propagate::{Follow, Propagation};
 use together::Together;
@@ -61,22 +65,41 @@ pub(super) fn run(
     scenario: &Scenario,
     watch: &mut impl Watch,
 ) -> Option<Result<Outcome, ResponseError>> {
-    run_together([system], scenario, &mut Alone::new(watch))
+    run_together::<One>((), &[system], scenario, &mut Alone::new(watch))
 }
 
-/// IAE, ISE, ITAE and control energy of several loops, to which the same happens in the same order; `None` as for [`run`] for any of them, or
-/// where they part ways.
-pub(super) fn integrals<const L: usize>(systems: [&System; L], scenario: &Scenario) -> Option<[[f64; 4]; L]> {
-    let mut integrals = Integrals::new();
-    run_together(systems, scenario, &mut integrals)?.ok()?;
+/// IAE, ISE, ITAE and control energy of a loop; `None` as for [`run`].
+pub(super) fn integrals(system: &System, scenario: &Scenario) -> Option<[f64; 4]> {
+    integrals_of::<One>((), &[system], scenario)?.pop()
+}
+
+/// The same of [`MOST`] loops, to which the same happens in the same order; `None` as for [`run`] for any of them, or where they
+/// part ways.
+pub(super) fn integrals_together(systems: &[&System; MOST], scenario: &Scenario) -> Option<Vec<[f64; 4]>> {
+    dispatch!(Level::new(), simd => simd.vectorize(
+        #[inline(always)]
+        || integrals_of::<f64x8<_>>(simd, systems, scenario)
+    ))
+}
+
+#[inline(always)]
+fn integrals_of<V: Lanes>(
+    token: V::Token,
+    systems: &[&System],
+    scenario: &Scenario,
+) -> Option<Vec<[f64; 4]>> {
+    let mut integrals = Integrals::<V>::new(token);
+    run_together(token, systems, scenario, &mut integrals)?.ok()?;
     Some(integrals.finish())
 }
 
 /// Runs the scenario with several loops; `None` as for [`run`] for any of them, or where they part ways.
-fn run_together<const L: usize>(
-    systems: [&System; L],
+#[inline(always)]
+fn run_together<V: Lanes>(
+    token: V::Token,
+    systems: &[&System],
     scenario: &Scenario,
-    watch: &mut impl Follow<L>,
+    watch: &mut impl Follow<V>,
 ) -> Option<Result<Outcome, ResponseError>> {
     let first = systems[0];
     let alike = |system: &&System| {
@@ -85,10 +108,7 @@ fn run_together<const L: usize>(
     if !systems.iter().all(alike) {
         return None;
     }
-    let mut plans = Vec::with_capacity(L);
-    for system in systems {
-        plans.push(Plan::new(system, scenario)?);
-    }
-    let together = Together::new(<&[Plan; L]>::try_from(plans.as_slice()).ok()?)?;
+    let plans: Vec<Plan> = systems.iter().map(|system| Plan::new(system, scenario)).collect::<Option<_>>()?;
+    let together = Together::new(token, &plans)?;
     Propagation::new(systems, &together).run(scenario, watch)
 }

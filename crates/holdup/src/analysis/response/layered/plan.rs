@@ -1,7 +1,7 @@
 //! Which loops can be written with one layer, and their equations in the form that loses nothing by cancellation.
 
 use super::super::scenario::Scenario;
-use super::super::system::{Row, System};
+use super::super::system::{Row, System, Terms};
 
 /// A pole up to this rate times half a segment is resolved by the polynomials: 2^24/24! is 3e-17.
 const SLOW: f64 = 2.0;
@@ -28,7 +28,7 @@ pub(super) struct State {
     pub(super) drive: Row,
     /// What a fast state would equal were it infinitely fast. The propagation carries the difference from that: of a state
     /// that only follows another almost all digits would cancel.
-    pub(super) follows: Vec<(usize, f64)>,
+    pub(super) follows: Terms,
 }
 
 /// A loop that can be written with one layer.
@@ -80,7 +80,7 @@ impl Plan {
                 own if is_fast(own) => Kind::Fast,
                 own => Kind::Slow(own),
             };
-            let mut follows = Vec::new();
+            let mut follows = Terms::new();
             if kind == Kind::Fast && drive.states.iter().all(|&(j, _)| states[j].kind != Kind::Fast) {
                 follows = drive.states.iter().map(|&(j, weight)| (j, weight / rate)).collect();
                 let mut difference = Row { delayed: drive.delayed.clone(), ..Row::default() };
@@ -117,7 +117,7 @@ fn substituted(row: &Row, states: &[State]) -> Row {
     new
 }
 
-fn accumulate(sum: &mut Vec<(usize, f64)>, terms: &[(usize, f64)], factor: f64) {
+fn accumulate(sum: &mut Terms, terms: &[(usize, f64)], factor: f64) {
     for &(index, weight) in terms {
         match sum.iter_mut().find(|(i, _)| *i == index) {
             Some((_, w)) => *w += factor * weight,

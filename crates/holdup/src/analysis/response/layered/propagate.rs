@@ -13,10 +13,10 @@ use super::super::legendre::TERMS;
 use super::super::scenario::Scenario;
 use super::super::solver::{CELL_BUDGET, SETTLED, merged_events};
 use super::super::system::{Rest, System};
-use super::lanes::{Lanes, agreed};
-use super::signal::{LAYER_TERMS, decay};
-use super::signals::Signals;
-use super::states::{arrive, size_and_tail, solve, weighted};
+use super::lanes::{Lanes, MOST, Set, agreed};
+use super::signal::LAYER_TERMS;
+use super::signals::{End, Signals};
+use super::states::{combine, solve};
 use super::tables::INVERSE;
 use super::together::Together;
 
@@ -30,110 +30,120 @@ const CANCELLATION: f64 = 1e3;
 const SHORTEST: f64 = 1e-9;
 
 /// What happens to each loop from one breakpoint to the next.
-pub(super) struct Stretch<'a, const L: usize> {
+pub(super) struct Stretch<'a, V: Lanes> {
     /// Start [s].
-    pub(super) start: Lanes<L>,
+    pub(super) start: V,
     /// Length [s].
-    pub(super) length: Lanes<L>,
+    pub(super) length: V,
     /// Setpoint, relative to the initial level.
     pub(super) setpoint: f64,
     /// Rate of the fast pole [1/s].
-    pub(super) rate: Lanes<L>,
+    pub(super) rate: V,
     /// Coefficients of the layers.
     pub(super) terms: usize,
+    /// Where it ends on the layers' axis.
+    pub(super) end: &'a End<V>,
     /// Control error.
-    pub(super) error: &'a Signals<L>,
+    pub(super) error: &'a Signals<V>,
     /// Controller output.
-    pub(super) manipulated: &'a Signals<L>,
+    pub(super) manipulated: &'a Signals<V>,
     /// Load estimate of the observer.
-    pub(super) load_estimate: Option<&'a Signals<L>>,
+    pub(super) load_estimate: Option<&'a Signals<V>>,
 }
 
 /// Receives the response of several loops as it is computed.
-pub(super) trait Follow<const L: usize> {
+pub(super) trait Follow<V: Lanes> {
     /// The next stretch, in order.
-    fn stretch(&mut self, stretch: &Stretch<'_, L>);
+    fn stretch(&mut self, stretch: &Stretch<'_, V>);
 }
 
 /// What is under way in the delay, from breakpoint to breakpoint.
-#[derive(Debug, Clone)]
-struct Piece<const L: usize> {
-    length: Lanes<L>,
+struct Piece<V: Lanes> {
+    length: V,
     /// Coefficients of the layers.
     terms: usize,
-    channels: Vec<Signals<L>>,
+    channels: Vec<Signals<V>>,
 }
 
-/// `L` loops on their way through one scenario.
-pub(super) struct Propagation<'a, const L: usize> {
-    systems: [&'a System; L],
-    plan: &'a Together<L>,
-    delay: Lanes<L>,
+/// Some loops on their way through one scenario.
+pub(super) struct Propagation<'a, V: Lanes> {
+    systems: &'a [&'a System],
+    plan: &'a Together<V>,
+    delay: V,
     /// States, deviations from the point of rest; of a fast state its difference from what it follows.
-    states: Vec<Lanes<L>>,
-    line: VecDeque<Piece<L>>,
+    states: Vec<V>,
+    line: VecDeque<Piece<V>>,
     /// Storage for what goes in next.
-    spare: Vec<Signals<L>>,
-    now: [Instant; L],
+    spare: Vec<Signals<V>>,
+    now: [Instant; MOST],
     setpoint: f64,
     load: f64,
-    rests: [Rest; L],
+    rests: Vec<Rest>,
     /// Largest bounds on states and inputs so far.
-    scales: Vec<Lanes<L>>,
+    scales: Vec<V>,
     /// Largest values of the inputs at ends of segments so far.
-    values: Vec<Lanes<L>>,
-    quiet: Lanes<L>,
+    values: Vec<V>,
+    quiet: V,
     /// Smooth coefficients below this part of the largest value so far are not carried on.
     floor: f64,
     /// Signals of the segment at hand: the states.
-    signals: Vec<Signals<L>>,
-    error: Signals<L>,
-    manipulated: Signals<L>,
-    load_estimate: Signals<L>,
+    signals: Vec<Signals<V>>,
+    end: End<V>,
+    /// Storage.
+    drive: Signals<V>,
+    error: Signals<V>,
+    manipulated: Signals<V>,
+    load_estimate: Signals<V>,
 }
 
-impl<'a, const L: usize> Propagation<'a, L> {
-    pub(super) fn new(systems: [&'a System; L], plan: &'a Together<L>) -> Self {
-        let n = plan.states.len();
+impl<'a, V: Lanes> Propagation<'a, V> {
+    #[inline(always)]
+    pub(super) fn new(systems: &'a [&'a System], plan: &'a Together<V>) -> Self {
+        let (token, n) = (plan.rate.token(), plan.states.len());
+        let zero = V::zero(token);
         let inputs = plan.inputs.len();
         let mut new = Self {
             systems,
             plan,
-            delay: Lanes(systems.map(|system| system.delays[0])),
-            states: vec![Lanes::ZERO; n],
+            delay: V::from_fn(token, |l| systems[l].delays[0]),
+            states: vec![zero; n],
             line: VecDeque::new(),
-            spare: vec![Signals::ZERO; inputs],
-            now: [Instant::new(0.0); L],
+            spare: vec![Signals::zero(token); inputs],
+            now: [Instant::new(0.0); MOST],
             setpoint: 0.0,
             load: 0.0,
-            rests: systems.map(|system| system.rest(0.0, 0.0)),
-            scales: vec![Lanes::ZERO; n + inputs],
-            values: vec![Lanes::ZERO; inputs],
-            quiet: Lanes::all(f64::INFINITY),
+            rests: systems.iter().map(|system| system.rest(0.0, 0.0)).collect(),
+            scales: vec![zero; n + inputs],
+            values: vec![zero; inputs],
+            quiet: zero.like(f64::INFINITY),
             floor: 0.0,
-            signals: vec![Signals::ZERO; n],
-            error: Signals::ZERO,
-            manipulated: Signals::ZERO,
-            load_estimate: Signals::ZERO,
+            signals: vec![Signals::zero(token); n],
+            end: End::new(token),
+            drive: Signals::zero(token),
+            error: Signals::zero(token),
+            manipulated: Signals::zero(token),
+            load_estimate: Signals::zero(token),
         };
         new.empty_the_line();
         new
     }
 
+    #[inline(always)]
     fn empty_the_line(&mut self) {
         self.line.clear();
-        let length = self.delay / f64::from(self.plan.pieces);
+        let length = self.delay / self.delay.like(f64::from(self.plan.pieces));
         for _ in 0..self.plan.pieces {
-            let channels = vec![Signals::ZERO; self.plan.inputs.len()];
+            let channels = vec![Signals::zero(length.token()); self.plan.inputs.len()];
             self.line.push_back(Piece { length, terms: 0, channels });
         }
     }
 
     /// Runs the scenario; `None` where the expansion does not hold to rounding, or the loops part ways.
+    #[inline(always)]
     pub(super) fn run(
         mut self,
         scenario: &Scenario,
-        watch: &mut impl Follow<L>,
+        watch: &mut impl Follow<V>,
     ) -> Option<Result<Outcome, ResponseError>> {
         let events = merged_events(scenario);
         let mut next_event = 0;
@@ -142,10 +152,10 @@ impl<'a, const L: usize> Propagation<'a, L> {
         loop {
             let now = self.now;
             let mut tiny = self.delay;
-            for l in 0..L {
-                tiny.0[l] = 4.0 * f64::EPSILON * now[l].seconds().max(self.delay.0[l]);
+            for l in 0..V::COUNT {
+                tiny[l] = 4.0 * f64::EPSILON * now[l].seconds().max(self.delay[l]);
             }
-            let reached = |time: f64| agreed::<L>(|l| now[l].until(time) <= tiny.0[l]);
+            let reached = |time: f64| agreed(V::COUNT, |l| now[l].until(time) <= tiny[l]);
             while let Some(&(time, setpoint, load)) = events.get(next_event)
                 && reached(time)?
             {
@@ -156,9 +166,8 @@ impl<'a, const L: usize> Propagation<'a, L> {
                 return Some(Ok(Outcome { overflow_at: None, impulsive: false }));
             }
             let until = events.get(next_event).map_or(horizon, |event| event.0.min(horizon));
-            let room = Lanes(now.map(|now| now.until(until)));
-            let (quiet, delay) = (self.quiet, self.delay);
-            if quiet.every(delay, |quiet, delay| quiet > delay) {
+            let room = V::from_fn(tiny.token(), |l| now[l].until(until));
+            if self.delay.below(self.quiet) == V::every() {
                 self.stand_still(room, watch);
                 continue;
             }
@@ -174,6 +183,7 @@ impl<'a, const L: usize> Propagation<'a, L> {
     }
 
     /// The setpoint and the load change by these amounts.
+    #[inline(always)]
     fn event(&mut self, setpoint: f64, load: f64) {
         self.setpoint += setpoint;
         self.load += load;
@@ -181,95 +191,160 @@ impl<'a, const L: usize> Propagation<'a, L> {
             let before = std::mem::replace(&mut self.rests[l], system.rest(self.setpoint, self.load));
             let jump = system.rest(setpoint, load).states;
             for (i, state) in self.plan.states.iter().enumerate() {
-                let followed: f64 = state.follows.iter().map(|&(j, weight)| weight.0[l] * jump[j]).sum();
-                self.states[i].0[l] -= jump[i] - followed;
+                let followed: f64 = state.follows.iter().map(|&(j, weight)| weight[l] * jump[j]).sum();
+                self.states[i][l] -= jump[i] - followed;
             }
             for c in 0..self.plan.inputs.len() {
                 let shift = before.delayed[c] - self.rests[l].delayed[c];
                 for piece in &mut self.line {
-                    piece.channels[c].smooth[0].0[l] += shift;
+                    piece.channels[c].smooth[0][l] += shift;
                 }
             }
         }
-        self.quiet = Lanes::ZERO;
+        self.quiet = self.delay.like(0.0);
     }
 
     /// Nothing moves until the next event: one segment of constants.
-    fn stand_still(&mut self, room: Lanes<L>, watch: &mut impl Follow<L>) {
-        self.states.fill(Lanes::ZERO);
+    #[inline(always)]
+    fn stand_still(&mut self, room: V, watch: &mut impl Follow<V>) {
+        let zero = room.like(0.0);
+        self.states.fill(zero);
         self.empty_the_line();
-        self.signals.fill(Signals::ZERO);
+        for signal in &mut self.signals {
+            signal.clear(0);
+        }
         for spare in &mut self.spare {
             spare.clear(0);
         }
-        self.show(room, 0, &[], watch);
+        self.end.move_to(room, 0);
+        self.watched(room, 0, &[]);
+        self.show(room, 0, watch);
         self.advance(room);
-        self.quiet = Lanes::all(f64::INFINITY);
+        self.quiet = zero.like(f64::INFINITY);
     }
 
-    fn advance(&mut self, length: Lanes<L>) {
-        for l in 0..L {
-            self.now[l] = self.now[l].plus(length.0[l]);
+    #[inline(always)]
+    fn advance(&mut self, length: V) {
+        for l in 0..V::COUNT {
+            self.now[l] = self.now[l].plus(length[l]);
         }
     }
 
     /// What comes out of the delay next, cut to `room`.
-    fn next_piece(&mut self, room: Lanes<L>, tiny: Lanes<L>) -> Option<Piece<L>> {
-        let piece = self.line.pop_front()?;
-        if agreed::<L>(|l| room.0[l] >= piece.length.0[l] - tiny.0[l])? {
+    #[inline(always)]
+    fn next_piece(&mut self, room: V, tiny: V) -> Option<Piece<V>> {
+        let mut piece = self.line.pop_front()?;
+        if agreed(V::COUNT, |l| room[l] >= piece.length[l] - tiny[l])? {
             return Some(piece);
         }
         let rest = piece.length - room;
-        if !room.min(rest).every(self.delay, |short, delay| short >= SHORTEST * delay) {
+        if !(self.delay * SHORTEST).all_at_most(room.min(rest)) {
             return None;
         }
-        let s = room * 2.0 / piece.length - Lanes::all(1.0);
+        let s = room * 2.0 / piece.length - room.like(1.0);
         let theta = self.plan.rate * room;
-        let (first, second): (Vec<Signals<L>>, Vec<Signals<L>>) =
-            piece.channels.iter().map(|signal| signal.split(s, theta, piece.terms)).unzip();
-        let second_terms = if theta.smallest() > decay(piece.terms) { 0 } else { piece.terms };
-        self.line.push_front(Piece { length: rest, terms: second_terms, channels: second });
-        Some(Piece { length: room, terms: piece.terms, channels: first })
+        self.end.move_to(theta, piece.terms);
+        let mut channels = Vec::with_capacity(piece.channels.len());
+        for signal in &mut piece.channels {
+            channels.push(signal.split(s, &self.end, piece.terms));
+        }
+        let terms = if self.end.decayed { 0 } else { piece.terms };
+        self.line.push_front(Piece { length: rest, terms, channels });
+        piece.length = room;
+        Some(piece)
     }
 
     /// Computes the segment over which `piece` comes out, shows it, and leaves in `piece` what goes in.
-    fn compute(&mut self, piece: &mut Piece<L>, watch: &mut impl Follow<L>) -> Option<()> {
-        let (plan, length) = (self.plan, piece.length);
-        let layered = plan.rate.0[0] > 0.0;
+    #[inline(always)]
+    fn compute(&mut self, piece: &mut Piece<V>, watch: &mut impl Follow<V>) -> Option<()> {
+        let length = piece.length;
+        let layered = self.plan.rate[0] > 0.0;
         let terms = if layered { (piece.terms + 1).min(LAYER_TERMS) } else { 0 };
-        for channel in &mut piece.channels {
-            channel.layer[piece.terms..terms].fill(Lanes::ZERO);
-        }
-        solve(plan, (length, &piece.channels), terms, &self.states, &mut self.signals, &mut self.spare);
-        self.show(length, terms, &piece.channels, watch);
-        let quiet = self.judge(length, terms)?;
-        let kept = self.cut(terms)?;
-        let theta = plan.rate * length;
-        arrive(&self.signals, terms, theta, &mut self.states);
-        for l in 0..L {
-            self.quiet.0[l] = if quiet[l] { self.quiet.0[l] + length.0[l] } else { 0.0 };
-        }
-        self.advance(length);
-        piece.terms = kept;
+        V::widest(
+            length.token(),
+            #[inline(always)]
+            || self.solve(piece, terms),
+        );
+        self.show(length, terms, watch);
+        piece.terms = V::widest(
+            length.token(),
+            #[inline(always)]
+            || self.settle(length, terms),
+        )?;
         swap(&mut piece.channels, &mut self.spare);
         Some(())
     }
 
+    /// All signals over the segment.
+    #[inline(always)]
+    fn solve(&mut self, piece: &mut Piece<V>, terms: usize) {
+        let (plan, length) = (self.plan, piece.length);
+        for channel in &mut piece.channels {
+            channel.layer[piece.terms..terms].fill(length.like(0.0));
+        }
+        let delayed = &piece.channels;
+        solve(plan, (length, delayed), terms, &self.states, &mut self.signals, &mut self.drive);
+        for (input, row) in self.spare.iter_mut().zip(&plan.inputs) {
+            combine(input, row, &self.signals, delayed, terms);
+        }
+        self.end.move_to(plan.rate * length, terms);
+        self.watched(length, terms, delayed);
+    }
+
+    /// What is shown of the segment over which `delayed` comes out and whose inputs are in `spare`.
+    #[inline(always)]
+    fn watched(&mut self, length: V, terms: usize, delayed: &[Signals<V>]) {
+        let (plan, system) = (self.plan, self.systems[0]);
+        let rests = &self.rests;
+        let rest = |of: fn(&Rest) -> f64| V::from_fn(length.token(), |l| of(&rests[l]));
+        self.error.assign(length.like(-1.0), &self.signals[system.output], terms);
+        self.error.smooth[0] += rest(|rest| rest.error);
+        if system.input_is_manipulated {
+            self.manipulated.assign(length.like(1.0), &self.spare[0], terms);
+        } else {
+            combine(&mut self.manipulated, &plan.manipulated, &self.signals, delayed, terms);
+        }
+        self.manipulated.smooth[0] += rest(|rest| rest.manipulated);
+        if let Some(row) = &plan.load_estimate {
+            combine(&mut self.load_estimate, row, &self.signals, delayed, terms);
+            self.load_estimate.smooth[0] += rest(|rest| rest.load_estimate);
+        }
+    }
+
+    /// Goes to the end of the segment, and returns how many coefficients of the inputs' layers count; `None` where the expansion
+    /// does not hold.
+    #[inline(always)]
+    fn settle(&mut self, length: V, terms: usize) -> Option<usize> {
+        let quiet = self.judge(length, terms)?;
+        let kept = self.cut(terms)?;
+        let zero = length.like(0.0);
+        for (state, signal) in self.states.iter_mut().zip(&self.signals) {
+            *state = signal.smooth_ends().1 + self.end.value(&signal.layer[..terms], zero);
+        }
+        self.quiet = (self.quiet + length).only_in(quiet, zero);
+        self.advance(length);
+        Some(kept)
+    }
+
     /// Which loops hardly move; `None` where numbers leave their range or the expansion does not hold.
-    fn judge(&mut self, length: Lanes<L>, terms: usize) -> Option<[bool; L]> {
+    #[inline(always)]
+    fn judge(&mut self, length: V, terms: usize) -> Option<Set> {
         let amplification = amplification((length * self.plan.rate * 0.5).smallest());
-        let mut quiet = [true; L];
+        let mut quiet = V::every();
         for (signal, scale) in self.signals.iter().chain(&self.spare).zip(&mut self.scales) {
-            let (size, tail) = size_and_tail(signal, terms);
+            let (smooth, layer) = signal.sizes(terms);
+            let size = smooth + layer;
+            let mut tail = size.like(0.0);
+            for c in signal.smooth[..signal.order].iter().skip(TERMS - 2) {
+                tail += c.abs();
+            }
             // The general way says where an unstable loop overflows.
-            if !size.every(*scale, |size, _| size <= 1e280) {
+            if !size.all_at_most(size.like(1e280)) {
                 return None;
             }
             *scale = scale.max(size);
-            for l in 0..L {
-                quiet[l] &= size.0[l] <= SETTLED * scale.0[l];
-            }
-            if !tail.every(*scale, |tail, scale| tail * amplification <= TOLERANCE * scale) {
+            quiet = quiet & size.at_most(*scale * SETTLED);
+            if !(tail * amplification).all_at_most(*scale * TOLERANCE) {
                 return None;
             }
         }
@@ -280,6 +355,7 @@ impl<'a, const L: usize> Propagation<'a, L> {
 
     /// Cuts off the coefficients of the inputs that do not count, and returns how many of their layers do; `None` where
     /// too many do, or where they cancel.
+    #[inline(always)]
     fn cut(&mut self, terms: usize) -> Option<usize> {
         let mut kept = 0;
         let scales = &self.scales[self.plan.states.len()..];
@@ -288,10 +364,10 @@ impl<'a, const L: usize> Propagation<'a, L> {
             let first = if terms > 0 { start + signal.layer[0] } else { start };
             *value = value.max(first.abs()).max(end.abs());
             let layer = signal.sizes(terms).1;
-            if !layer.every(*value, |layer, value| layer <= CANCELLATION * value) {
+            if !layer.all_at_most(*value * CANCELLATION) {
                 return None;
             }
-            let counts = |c: &Lanes<L>, part: f64| !c.every(*scale, |c, scale| c.abs() <= part * scale);
+            let counts = |c: &V, part: f64| !c.abs().all_at_most(*scale * part);
             let needed = signal.layer[..terms].iter().rposition(|q| counts(q, FLOOR)).map_or(0, |j| j + 1);
             kept = kept.max(needed);
             let order = signal.smooth[1..signal.order].iter().rposition(|c| counts(c, self.floor));
@@ -301,38 +377,25 @@ impl<'a, const L: usize> Propagation<'a, L> {
         (kept < LAYER_TERMS).then_some(kept)
     }
 
-    /// Shows the segment at hand, whose inputs are in `spare`.
-    fn show(&mut self, length: Lanes<L>, terms: usize, delayed: &[Signals<L>], watch: &mut impl Follow<L>) {
-        let (plan, system) = (self.plan, self.systems[0]);
-        let rest = |of: fn(&Rest) -> f64| Lanes(self.rests.each_ref().map(of));
-        self.error.clear(terms);
-        self.error.add(Lanes::all(-1.0), &self.signals[system.output], terms);
-        self.error.smooth[0] += rest(|rest| rest.error);
-        if system.input_is_manipulated {
-            self.manipulated.clear(terms);
-            self.manipulated.add(Lanes::all(1.0), &self.spare[0], terms);
-        } else {
-            weighted(&mut self.manipulated, &plan.manipulated, &self.signals, delayed, terms);
-        }
-        self.manipulated.smooth[0] += rest(|rest| rest.manipulated);
-        if let Some(row) = &plan.load_estimate {
-            weighted(&mut self.load_estimate, row, &self.signals, delayed, terms);
-            self.load_estimate.smooth[0] += rest(|rest| rest.load_estimate);
-        }
+    /// Shows the segment at hand.
+    #[inline(always)]
+    fn show(&mut self, length: V, terms: usize, watch: &mut impl Follow<V>) {
         watch.stretch(&Stretch {
-            start: Lanes(self.now.map(Instant::seconds)),
+            start: V::from_fn(length.token(), |l| self.now[l].seconds()),
             length,
             setpoint: self.setpoint,
-            rate: plan.rate,
+            rate: self.plan.rate,
             terms,
+            end: &self.end,
             error: &self.error,
             manipulated: &self.manipulated,
-            load_estimate: plan.load_estimate.as_ref().map(|_| &self.load_estimate),
+            load_estimate: self.plan.load_estimate.as_ref().map(|_| &self.load_estimate),
         });
     }
 }
 
 /// The largest effect on any coefficient, through the fast lag, of an error of 1 in the last one.
+#[inline(always)]
 fn amplification(half: f64) -> f64 {
     let (mut effect, mut largest) = (1.0, 1.0f64);
     if half > 0.0 && half < 24.0 {

@@ -1,9 +1,11 @@
 //! What happens on one segment, and the same cut into cells where a question needs plain polynomials.
 
 use super::super::legendre::{Poly, TERMS, from_powers, interpolated, restricted, tail};
+use super::lanes::One;
 use super::propagate::Stretch;
 use super::signal::{Signal, decay, has_decayed, sum_of_magnitudes};
 use super::tables::{EDGES, INVERSE, TABLES};
+use crate::analysis::widest;
 
 /// What happens from one breakpoint to the next.
 pub(in super::super) struct Segment<'a> {
@@ -24,7 +26,7 @@ pub(in super::super) struct Segment<'a> {
     /// Load estimate of the observer.
     pub(in super::super) load_estimate: Option<&'a Signal>,
     /// The same as the only loop of a stretch; `None` for one of several.
-    pub(super) stretch: Option<&'a Stretch<'a, 1>>,
+    pub(super) stretch: Option<&'a Stretch<'a, One>>,
 }
 
 /// A signal on a part of a segment, as a Legendre series.
@@ -151,34 +153,42 @@ impl Segment<'_> {
     }
 }
 
-#[multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2"))]
 fn expansion(smooth: &Poly, per_theta: f64, theta: f64) -> Poly {
-    let mut derivatives = [0.0; TERMS];
-    let floor = NOTHING * sum_of_magnitudes(smooth);
-    let (mut scale, mut power, mut small) = (1.0, 1.0, 0);
-    for (i, row) in TABLES.at_start.iter().enumerate() {
-        derivatives[i] = scale * dot(smooth, row);
-        small = if derivatives[i].abs() * power <= floor { small + 1 } else { 0 };
-        if small == 3 {
-            break;
-        }
-        scale *= per_theta;
-        power *= theta * INVERSE[i + 1];
-    }
-    derivatives
+    widest(
+        #[inline(always)]
+        || {
+            let mut derivatives = [0.0; TERMS];
+            let floor = NOTHING * sum_of_magnitudes(smooth);
+            let (mut scale, mut power, mut small) = (1.0, 1.0, 0);
+            for (i, row) in TABLES.at_start.iter().enumerate() {
+                derivatives[i] = scale * dot(smooth, row);
+                small = if derivatives[i].abs() * power <= floor { small + 1 } else { 0 };
+                if small == 3 {
+                    break;
+                }
+                scale *= per_theta;
+                power *= theta * INVERSE[i + 1];
+            }
+            derivatives
+        },
+    )
 }
 
 /// Sum of the rows with these weights: those of the smooth part that are not 0, then those of the layer.
-#[multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2"))]
 fn combination(smooth: (&[f64], &[Poly]), layer: (&[f64], &[Poly])) -> Poly {
-    let mut sum = [0.0; TERMS];
-    let used = smooth.0.iter().rposition(|w| *w != 0.0).map_or(0, |last| last + 1);
-    for (weight, row) in smooth.0[..used].iter().zip(smooth.1).chain(layer.0.iter().zip(layer.1)) {
-        for k in 0..TERMS {
-            sum[k] += weight * row[k];
-        }
-    }
-    sum
+    widest(
+        #[inline(always)]
+        || {
+            let mut sum = [0.0; TERMS];
+            let used = smooth.0.iter().rposition(|w| *w != 0.0).map_or(0, |last| last + 1);
+            for (weight, row) in smooth.0[..used].iter().zip(smooth.1).chain(layer.0.iter().zip(layer.1)) {
+                for k in 0..TERMS {
+                    sum[k] += weight * row[k];
+                }
+            }
+            sum
+        },
+    )
 }
 
 /// Sum of products, in lanes.

@@ -1,64 +1,79 @@
 //! One signal of several loops on one segment each.
 
 use super::super::legendre::TERMS;
-use super::lanes::{Lanes, lane_by_lane};
+use super::lanes::Lanes;
 use super::signal::{LAYER_TERMS, Signal, decay};
 use super::tables::INVERSE;
 
-/// What [`Signal`] is, for each of `L` loops.
-#[derive(Debug, Clone)]
+/// What [`Signal`] is, for each of some loops.
+#[derive(Clone)]
 #[repr(align(64))]
-pub(super) struct Signals<const L: usize> {
+pub(super) struct Signals<V: Lanes> {
     /// Powers of s; beyond [`order`](Self::order) they mean nothing.
-    pub(super) smooth: [Lanes<L>; TERMS],
+    pub(super) smooth: [V; TERMS],
     /// Coefficients of θ^j/j!; beyond the segment's terms they mean nothing.
-    pub(super) layer: [Lanes<L>; LAYER_TERMS],
+    pub(super) layer: [V; LAYER_TERMS],
     /// Number of smooth coefficients, at least 1.
     pub(super) order: usize,
 }
 
-impl<const L: usize> Signals<L> {
-    pub(super) const ZERO: Self =
-        Self { smooth: [Lanes::ZERO; TERMS], layer: [Lanes::ZERO; LAYER_TERMS], order: 1 };
+impl<V: Lanes> Signals<V> {
+    #[inline(always)]
+    pub(super) fn zero(token: V::Token) -> Self {
+        let zero = V::zero(token);
+        Self { smooth: [zero; TERMS], layer: [zero; LAYER_TERMS], order: 1 }
+    }
 
     /// Becomes zero, `terms` of the layers.
     #[inline(always)]
     pub(super) fn clear(&mut self, terms: usize) {
-        self.smooth[0] = Lanes::ZERO;
-        self.layer[..terms].fill(Lanes::ZERO);
+        let zero = self.smooth[0].like(0.0);
+        self.smooth[0] = zero;
+        self.layer[..terms].fill(zero);
         self.order = 1;
+    }
+
+    /// `self = weight·other`: of the other's layer `terms`.
+    #[inline(always)]
+    pub(super) fn assign(&mut self, weight: V, other: &Self, terms: usize) {
+        self.order = other.order;
+        for (mine, theirs) in self.smooth[..other.order].iter_mut().zip(&other.smooth) {
+            *mine = weight * *theirs;
+        }
+        for (mine, theirs) in self.layer[..terms].iter_mut().zip(&other.layer) {
+            *mine = weight * *theirs;
+        }
     }
 
     /// `self += weight·other`: of the other's layer `terms`.
     #[inline(always)]
-    pub(super) fn add(&mut self, weight: Lanes<L>, other: &Self, terms: usize) {
+    pub(super) fn add(&mut self, weight: V, other: &Self, terms: usize) {
         if other.order > self.order {
-            self.smooth[self.order..other.order].fill(Lanes::ZERO);
+            self.smooth[self.order..other.order].fill(weight.like(0.0));
             self.order = other.order;
         }
         for (mine, theirs) in self.smooth[..other.order].iter_mut().zip(&other.smooth) {
-            lane_by_lane::<L>();
-            *mine += weight * *theirs;
+            *mine = weight.times_plus(*theirs, *mine);
         }
         for (mine, theirs) in self.layer[..terms].iter_mut().zip(&other.layer) {
-            lane_by_lane::<L>();
-            *mine += weight * *theirs;
+            *mine = weight.times_plus(*theirs, *mine);
         }
     }
 
     /// Bounds on the magnitude of the smooth part and of the layer: no `e^(−θ)·θ^j/j!` exceeds 1.
     #[inline(always)]
-    pub(super) fn sizes(&self, terms: usize) -> (Lanes<L>, Lanes<L>) {
-        (magnitude(&self.smooth[..self.order]), magnitude(&self.layer[..terms]))
+    pub(super) fn sizes(&self, terms: usize) -> (V, V) {
+        let zero = self.smooth[0].like(0.0);
+        (magnitude(&self.smooth[..self.order], zero), magnitude(&self.layer[..terms], zero))
     }
 
     /// Values of the smooth part at both ends.
     #[inline(always)]
-    pub(super) fn smooth_ends(&self) -> (Lanes<L>, Lanes<L>) {
-        let (mut even, mut odd) = (Lanes::ZERO, Lanes::ZERO);
+    pub(super) fn smooth_ends(&self) -> (V, V) {
+        let zero = self.smooth[0].like(0.0);
+        let (mut even, mut odd) = (zero, zero);
         let (pairs, rest) = self.smooth[..self.order].as_chunks::<2>();
         for [a, b] in pairs {
-            lane_by_lane::<L>();
             even += *a;
             odd += *b;
         }
@@ -69,33 +84,34 @@ impl<const L: usize> Signals<L> {
     }
 
     /// The signal of one loop.
+    #[inline(always)]
     pub(super) fn of_loop(&self, l: usize, terms: usize, signal: &mut Signal) {
         *signal = Signal::ZERO;
         for (c, lanes) in signal.smooth.iter_mut().zip(&self.smooth[..self.order]) {
-            *c = lanes.0[l];
+            *c = lanes[l];
         }
         for (q, lanes) in signal.layer.iter_mut().zip(&self.layer[..terms]) {
-            *q = lanes.0[l];
+            *q = lanes[l];
         }
     }
 
-    /// The parts before and after the point `s`, each as a signal of its own; `theta` is that point on the layer's axis.
-    pub(super) fn split(&self, s: Lanes<L>, theta: Lanes<L>, terms: usize) -> (Self, Self) {
-        let (mut first, mut second) = (self.clone(), self.clone());
-        restrict(&mut first.smooth[..self.order], Lanes::all(-1.0), s);
-        restrict(&mut second.smooth[..self.order], s, Lanes::all(1.0));
-        shift(&mut second.layer[..terms], theta);
-        (first, second)
+    /// Keeps the part before the point `s` and returns the part after it; `end` is that point on the layers' axis.
+    #[inline(always)]
+    pub(super) fn split(&mut self, s: V, end: &End<V>, terms: usize) -> Self {
+        let mut second = self.clone();
+        restrict(&mut self.smooth[..second.order], s.like(-1.0), s);
+        restrict(&mut second.smooth[..self.order], s, s.like(1.0));
+        end.shift(&mut second.layer[..terms]);
+        second
     }
 }
 
 /// Sum of magnitudes, in four chains.
 #[inline(always)]
-pub(super) fn magnitude<const L: usize>(list: &[Lanes<L>]) -> Lanes<L> {
-    let mut sums = [Lanes::ZERO; 4];
+pub(super) fn magnitude<V: Lanes>(list: &[V], zero: V) -> V {
+    let mut sums = [zero; 4];
     let (fours, rest) = list.as_chunks::<4>();
     for four in fours {
-        lane_by_lane::<L>();
         for k in 0..4 {
             sums[k] += four[k].abs();
         }
@@ -107,67 +123,129 @@ pub(super) fn magnitude<const L: usize>(list: &[Lanes<L>]) -> Lanes<L> {
 }
 
 /// The polynomial on the part from `from` to `to`, in powers of that part's own s.
-fn restrict<const L: usize>(p: &mut [Lanes<L>], from: Lanes<L>, to: Lanes<L>) {
+#[inline(always)]
+fn restrict<V: Lanes>(p: &mut [V], from: V, to: V) {
     let (middle, ratio) = ((from + to) * 0.5, (to - from) * 0.5);
     for lowest in 0..p.len() {
         for j in (lowest..p.len() - 1).rev() {
-            lane_by_lane::<L>();
-            let next = middle * p[j + 1];
-            p[j] += next;
+            p[j] = middle.times_plus(p[j + 1], p[j]);
         }
     }
-    let mut power = Lanes::all(1.0);
+    let mut power = from.like(1.0);
     for c in p {
         *c = *c * power;
         power = power * ratio;
     }
 }
 
-/// Coefficients of a layer about the later point `theta`: `q_j → e^(−θ)·Σ q_(j+i)·θ^i/i!`.
-#[inline(always)]
-pub(super) fn shift<const L: usize>(layer: &mut [Lanes<L>], theta: Lanes<L>) {
-    let over = decay(layer.len());
-    let mut weight = theta.map(|theta| if theta > over { 0.0 } else { (-theta).exp() });
-    let mut weights = [Lanes::ZERO; LAYER_TERMS];
-    for (i, w) in weights[..layer.len()].iter_mut().enumerate() {
-        *w = weight;
-        weight = weight * theta * INVERSE[i + 1];
+/// A point on the layers' axis where they have decayed, or a stretch ends.
+pub(super) struct End<V> {
+    /// `e^(−θ)·θ^j/j!`
+    weights: [V; LAYER_TERMS],
+    /// `∫ e^(−θ)·θ^j/j! dθ` from there to infinity, `e^(−θ)·Σ θ^i/i!` with i = 0 … j.
+    areas: [V; LAYER_TERMS],
+    /// Whether layers of so many terms are nothing there.
+    pub(super) decayed: bool,
+}
+
+impl<V: Lanes> End<V> {
+    #[inline(always)]
+    pub(super) fn new(token: V::Token) -> Self {
+        let zero = V::zero(token);
+        Self { weights: [zero; LAYER_TERMS], areas: [zero; LAYER_TERMS], decayed: true }
     }
-    for j in 0..layer.len() {
-        let mut sum = Lanes::ZERO;
-        for (q, w) in layer[j..].iter().zip(&weights) {
-            lane_by_lane::<L>();
-            sum += *q * *w;
+
+    /// Moves to `theta`, for layers of so many terms.
+    #[inline(always)]
+    pub(super) fn move_to(&mut self, theta: V, terms: usize) {
+        let over = decay(terms);
+        self.decayed = theta.smallest() > over;
+        if self.decayed {
+            return;
         }
-        layer[j] = sum;
+        let over = theta.like(over);
+        let mut weight = theta.min(over).decayed().only_in(theta.at_most(over), theta.like(0.0));
+        let mut area = weight;
+        for j in 0..terms {
+            self.weights[j] = weight;
+            self.areas[j] = area;
+            weight = weight * (theta * INVERSE[j + 1]);
+            area += weight;
+        }
     }
+
+    /// Value of a layer.
+    #[inline(always)]
+    pub(super) fn value(&self, layer: &[V], zero: V) -> V {
+        if self.decayed { zero } else { dot(layer, &self.weights, zero) }
+    }
+
+    /// A bound on the integral over θ of what is left of a layer, its sign left out.
+    #[inline(always)]
+    pub(super) fn area(&self, layer: &[V], zero: V) -> V {
+        let mut bound = zero;
+        if !self.decayed {
+            for (q, area) in layer.iter().zip(&self.areas) {
+                bound = q.abs().times_plus(*area, bound);
+            }
+        }
+        bound
+    }
+
+    /// Coefficients of a layer about this point: `q_j → e^(−θ)·Σ q_(j+i)·θ^i/i!`.
+    #[inline(always)]
+    pub(super) fn shift(&self, layer: &mut [V]) {
+        for j in 0..layer.len() {
+            let zero = layer[j].like(0.0);
+            layer[j] = self.value(&layer[j..], zero);
+        }
+    }
+}
+
+/// Sum of products, in four chains.
+#[inline(always)]
+fn dot<V: Lanes>(list: &[V], others: &[V], zero: V) -> V {
+    let mut sums = [zero; 4];
+    let (fours, rest) = list.as_chunks::<4>();
+    let (other_fours, _) = others.as_chunks::<4>();
+    for (four, others) in fours.iter().zip(other_fours) {
+        for k in 0..4 {
+            sums[k] = four[k].times_plus(others[k], sums[k]);
+        }
+    }
+    for (k, c) in rest.iter().enumerate() {
+        sums[k] = c.times_plus(others[4 * fours.len() + k], sums[k]);
+    }
+    (sums[0] + sums[1]) + (sums[2] + sums[3])
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::analysis::response::layered::lanes::One;
     use crate::analysis::response::layered::segment::layer_at;
 
     #[test]
     fn both_parts_of_split_signals_are_the_signals() {
-        let mut signals: Signals<2> = Signals::ZERO;
+        let mut signals: Signals<One> = Signals::zero(());
         signals.order = 12;
         for j in 0..12 {
             let j_number = f64::from(i32::try_from(j).unwrap());
-            signals.smooth[j] = Lanes([0.5f64.powf(j_number), 0.7f64.powf(j_number)]);
-            signals.layer[j] = Lanes([(-0.6f64).powi(i32::try_from(j).unwrap()), 0.3f64.powf(j_number)]);
+            signals.smooth[j] = One(0.7f64.powf(j_number));
+            signals.layer[j] = One((-0.6f64).powi(i32::try_from(j).unwrap()));
         }
-        let (points, thetas) = (Lanes([0.2, -0.4]), Lanes([3.0, 7.0]));
-        let (first, second) = signals.split(points, thetas, 12);
-        for l in 0..2 {
-            let of = |signals: &Signals<2>| {
+        for (at, theta_there) in [(0.2, 3.0), (-0.4, 7.0)] {
+            let mut end = End::new(());
+            end.move_to(One(theta_there), 12);
+            let mut first = signals.clone();
+            let second = first.split(One(at), &end, 12);
+            let of = |signals: &Signals<One>| {
                 let mut signal = Signal::ZERO;
-                signals.of_loop(l, 12, &mut signal);
+                signals.of_loop(0, 12, &mut signal);
                 signal
             };
             let (whole, first, second) = (of(&signals), of(&first), of(&second));
             let value = |signal: &Signal, s: f64| signal.smooth.iter().rev().fold(0.0, |sum, c| sum * s + c);
-            let at = points.0[l];
             // 1e-14: rounding of a few dozen terms of size 1.
             for s in [-1.0, -0.3, 0.9] {
                 let (before, after) =
@@ -176,7 +254,7 @@ mod tests {
                 assert!((value(&second, s) - value(&whole, after)).abs() < 1e-14);
             }
             for theta in [0.0, 1.7, 20.0] {
-                let expected = layer_at(&whole, thetas.0[l] + theta, 12);
+                let expected = layer_at(&whole, theta_there + theta, 12);
                 assert!((layer_at(&second, theta, 12) - expected).abs() < 1e-14);
             }
         }

@@ -247,6 +247,39 @@ fn many_loops_are_answered_in_their_order_whatever_the_number_of_threads() {
     }
 }
 
+#[cfg(target_arch = "x86_64")]
+#[test]
+fn every_instruction_set_gives_the_same_integrals() {
+    use fearless_simd::{Level, Simd, f64x8};
+
+    fn on<S: Simd>(simd: S, systems: &[&System], scenario: &Scenario) -> Vec<[f64; 4]> {
+        super::integrals_of::<f64x8<S>>(simd, systems, scenario).unwrap()
+    }
+    let closed = |i: i32| {
+        let process =
+            Process::integrating(0.0506 * (0.9 + 0.02 * f64::from(i)), Seconds(6.0 + 0.005 * f64::from(i)));
+        ClosedLoop::new(&process.unwrap(), &pid(2.95, 15.0, 3.0, 33.3))
+    };
+    let systems: Vec<System> = (0..8).map(|i| System::new(&closed(i))).collect();
+    let systems: Vec<&System> = systems.iter().collect();
+    let scenario = servo_and_load(200.0, 100.0);
+    let alone = systems.iter().map(|system| super::integrals(system, &scenario).unwrap());
+    let level = Level::new();
+    let found = [
+        level.as_sse2().map(|simd| on(simd, &systems, &scenario)),
+        level.as_avx2().map(|simd| on(simd, &systems, &scenario)),
+        level.as_avx512().map(|simd| on(simd, &systems, &scenario)),
+    ];
+    for (l, alone) in alone.enumerate() {
+        for found in found.iter().flatten() {
+            for (ours, theirs) in found[l].iter().zip(alone) {
+                // 1e-11: fused or not, and parts below 2e-14 of a sum left out or not.
+                assert!((ours / theirs - 1.0).abs() < 1e-11, "{ours} {theirs}");
+            }
+        }
+    }
+}
+
 #[test]
 fn integrals_over_controllers_are_those_of_each() {
     let controllers: Vec<Controller> =

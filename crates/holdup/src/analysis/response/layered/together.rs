@@ -4,43 +4,41 @@ use super::super::system::Row;
 use super::lanes::Lanes;
 use super::plan::{Kind, Plan};
 
-/// A weighted sum of states and of what comes out of the delays, with weights for each of `L` loops.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Weights<const L: usize> {
-    pub(super) states: Vec<(usize, Lanes<L>)>,
-    pub(super) delayed: Vec<(usize, Lanes<L>)>,
+/// A weighted sum of states and of what comes out of the delays, with weights for each of the loops.
+pub(super) struct Weights<V> {
+    pub(super) states: Vec<(usize, V)>,
+    pub(super) delayed: Vec<(usize, V)>,
 }
 
 /// How a state moves by itself; see [`Kind`].
-#[derive(Debug, Clone, Copy)]
-pub(super) enum Motion<const L: usize> {
+#[derive(Clone, Copy)]
+pub(super) enum Motion<V> {
     Integral,
-    Slow(Lanes<L>),
+    Slow(V),
     Fast,
 }
 
 /// One state of each loop; see [`State`](super::plan::State).
-#[derive(Debug, Clone)]
-pub(super) struct Coordinate<const L: usize> {
-    pub(super) motion: Motion<L>,
-    pub(super) drive: Weights<L>,
-    pub(super) follows: Vec<(usize, Lanes<L>)>,
+pub(super) struct Coordinate<V> {
+    pub(super) motion: Motion<V>,
+    pub(super) drive: Weights<V>,
+    pub(super) follows: Vec<(usize, V)>,
 }
 
-/// [`Plan`] of `L` loops.
-#[derive(Debug, Clone)]
-pub(super) struct Together<const L: usize> {
-    pub(super) states: Vec<Coordinate<L>>,
-    pub(super) inputs: Vec<Weights<L>>,
-    pub(super) manipulated: Weights<L>,
-    pub(super) load_estimate: Option<Weights<L>>,
-    pub(super) rate: Lanes<L>,
+/// [`Plan`] of some loops.
+pub(super) struct Together<V> {
+    pub(super) states: Vec<Coordinate<V>>,
+    pub(super) inputs: Vec<Weights<V>>,
+    pub(super) manipulated: Weights<V>,
+    pub(super) load_estimate: Option<Weights<V>>,
+    pub(super) rate: V,
     pub(super) pieces: u32,
 }
 
-impl<const L: usize> Together<L> {
+impl<V: Lanes> Together<V> {
     /// `None` where the loops differ in structure.
-    pub(super) fn new(plans: &[Plan; L]) -> Option<Self> {
+    #[inline(always)]
+    pub(super) fn new(token: V::Token, plans: &[Plan]) -> Option<Self> {
         let first = &plans[0];
         let alike = plans.iter().all(|plan| {
             plan.pieces == first.pieces
@@ -55,12 +53,10 @@ impl<const L: usize> Together<L> {
         let state = |i: usize| {
             let motion = match first.states[i].kind {
                 Kind::Integral => Motion::Integral,
-                Kind::Slow(_) => {
-                    Motion::Slow(Lanes(plans.each_ref().map(|plan| match plan.states[i].kind {
-                        Kind::Slow(own) => own,
-                        _ => f64::NAN,
-                    })))
-                }
+                Kind::Slow(_) => Motion::Slow(V::from_fn(token, |l| match plans[l].states[i].kind {
+                    Kind::Slow(own) => own,
+                    _ => f64::NAN,
+                })),
                 Kind::Fast => Motion::Fast,
             };
             let same_kind = |plan: &Plan| {
@@ -71,45 +67,56 @@ impl<const L: usize> Together<L> {
             }
             Some(Coordinate {
                 motion,
-                drive: row(plans, |plan| &plan.states[i].drive)?,
-                follows: terms(plans, |plan| &plan.states[i].follows)?,
+                drive: row(token, plans, |plan| &plan.states[i].drive)?,
+                follows: terms(token, plans, |plan| &plan.states[i].follows)?,
             })
         };
         let load_estimate = match first.load_estimate {
             None => None,
-            Some(_) => Some(row(plans, |plan| plan.load_estimate.as_ref().unwrap_or(&plan.manipulated))?),
+            Some(_) => {
+                Some(row(token, plans, |plan| plan.load_estimate.as_ref().unwrap_or(&plan.manipulated))?)
+            }
         };
         Some(Self {
             states: (0..first.states.len()).map(state).collect::<Option<_>>()?,
             inputs: (0..first.inputs.len())
-                .map(|c| row(plans, |plan| &plan.inputs[c]))
+                .map(|c| row(token, plans, |plan| &plan.inputs[c]))
                 .collect::<Option<_>>()?,
-            manipulated: row(plans, |plan| &plan.manipulated)?,
+            manipulated: row(token, plans, |plan| &plan.manipulated)?,
             load_estimate,
-            rate: Lanes(plans.each_ref().map(|plan| plan.rate)),
+            rate: V::from_fn(token, |l| plans[l].rate),
             pieces: first.pieces,
         })
     }
 }
 
-fn row<const L: usize>(plans: &[Plan; L], of: impl Fn(&Plan) -> &Row) -> Option<Weights<L>> {
+#[inline(always)]
+fn row<V: Lanes>(token: V::Token, plans: &[Plan], of: impl Fn(&Plan) -> &Row) -> Option<Weights<V>> {
     Some(Weights {
-        states: terms(plans, |plan| &of(plan).states)?,
-        delayed: terms(plans, |plan| &of(plan).delayed)?,
+        states: terms(token, plans, |plan| &of(plan).states)?,
+        delayed: terms(token, plans, |plan| &of(plan).delayed)?,
     })
 }
 
-fn terms<const L: usize>(
-    plans: &[Plan; L],
-    of: impl Fn(&Plan) -> &Vec<(usize, f64)>,
-) -> Option<Vec<(usize, Lanes<L>)>> {
-    let lists = plans.each_ref().map(&of);
-    let first = lists[0];
-    let alike = |list: &Vec<(usize, f64)>| {
-        list.len() == first.len() && list.iter().zip(first).all(|(a, b)| a.0 == b.0)
-    };
-    if !lists.iter().all(|list| alike(list)) {
+#[inline(always)]
+fn terms<V: Lanes>(
+    token: V::Token,
+    plans: &[Plan],
+    of: impl Fn(&Plan) -> &[(usize, f64)],
+) -> Option<Vec<(usize, V)>> {
+    let first = of(&plans[0]);
+    let alike =
+        |list: &[(usize, f64)]| list.len() == first.len() && list.iter().zip(first).all(|(a, b)| a.0 == b.0);
+    if !plans.iter().all(|plan| alike(of(plan))) {
         return None;
     }
-    Some((0..first.len()).map(|k| (first[k].0, Lanes(lists.map(|list| list[k].1)))).collect())
+    let weights = |k: usize| V::from_fn(token, |l| of(&plans[l])[k].1);
+    Some(
+        (0..first.len())
+            .map(
+                #[inline(always)]
+                |k| (first[k].0, weights(k)),
+            )
+            .collect(),
+    )
 }

@@ -1,28 +1,33 @@
 //! The moves of the input.
 
 use super::sums::LANES;
+use crate::analysis::widest;
 
 /// Row and size of a change of the input.
 pub(super) type Move = (usize, f64);
 
 /// The moves of the input, in order.
-#[multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2"))]
 pub(super) fn moves(input: &[f64]) -> Vec<Move> {
-    let mut found = Vec::with_capacity(input.len() / 8);
-    let mut push = |row: usize| {
-        if input[row] != input[row - 1] {
-            found.push((row, input[row] - input[row - 1]));
-        }
-    };
-    let (before, _) = input.as_chunks::<LANES>();
-    let (after, rest) = input[1..].as_chunks::<LANES>();
-    for (k, (before, after)) in before.iter().zip(after).enumerate() {
-        if before != after {
-            (k * LANES + 1..=(k + 1) * LANES).for_each(&mut push);
-        }
-    }
-    (input.len() - rest.len()..input.len()).for_each(push);
-    found
+    widest(
+        #[inline(always)]
+        || {
+            let mut found = Vec::with_capacity(input.len() / 8);
+            let mut push = |row: usize| {
+                if input[row] != input[row - 1] {
+                    found.push((row, input[row] - input[row - 1]));
+                }
+            };
+            let (before, _) = input.as_chunks::<LANES>();
+            let (after, rest) = input[1..].as_chunks::<LANES>();
+            for (k, (before, after)) in before.iter().zip(after).enumerate() {
+                if before != after {
+                    (k * LANES + 1..=(k + 1) * LANES).for_each(&mut push);
+                }
+            }
+            (input.len() - rest.len()..input.len()).for_each(push);
+            found
+        },
+    )
 }
 
 /// The moves on a grid four times as coarse: each shared between the two places next to it, by its distance to them.

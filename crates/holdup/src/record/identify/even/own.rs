@@ -1,6 +1,7 @@
 //! What the input's integral is by itself at every delay.
 
 use super::sums::own_sums;
+use crate::analysis::widest;
 
 /// Sums over the input's integral, outside initial value and constant load.
 pub(super) struct Own {
@@ -57,19 +58,23 @@ impl Own {
 }
 
 /// Squares and products with the neighbour outside the mean and the straight line of so many rows.
-#[multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2"))]
 fn outside(places: &[Place], rows: f64) -> (Vec<f64>, Vec<f64>) {
-    let (per_row, per_spread) = (1.0 / rows, 12.0 / (rows * (rows * rows - 1.0)));
-    let squares = places
-        .iter()
-        .map(|[sum, moment, squares, _]| squares - sum * sum * per_row - moment * moment * per_spread)
-        .collect();
-    let neighbour = places
-        .iter()
-        .zip(&places[1..])
-        .map(|([sum, moment, _, with], [next_sum, next_moment, ..])| {
-            with - sum * next_sum * per_row - moment * next_moment * per_spread
-        })
-        .collect();
-    (squares, neighbour)
+    widest(
+        #[inline(always)]
+        || {
+            let (per_row, per_spread) = (1.0 / rows, 12.0 / (rows * (rows * rows - 1.0)));
+            let squares = places
+                .iter()
+                .map(|[sum, moment, squares, _]| squares - sum * sum * per_row - moment * moment * per_spread)
+                .collect();
+            let neighbour = places
+                .iter()
+                .zip(&places[1..])
+                .map(|([sum, moment, _, with], [next_sum, next_moment, ..])| {
+                    with - sum * next_sum * per_row - moment * next_moment * per_spread
+                })
+                .collect();
+            (squares, neighbour)
+        },
+    )
 }

@@ -6,6 +6,7 @@
     reason = "a function outside the version for a processor does not have its instructions"
 )]
 
+use crate::analysis::widest;
 use std::array::from_fn;
 use std::hint::black_box;
 
@@ -29,58 +30,66 @@ fn parts<'v, 'o>(
 }
 
 /// Sums of the values before each place, less `mean` each; `out` is as long as the values.
-#[multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2"))]
 pub(super) fn cumulate(values: &[f64], mean: f64, out: &mut [f64]) {
-    let (from, into, part) = parts(values, out);
-    let mut sums = [0.0; LANES];
-    for k in 0..part {
-        for lane in 0..LANES {
-            into[lane][k] = sums[lane];
-            sums[lane] += from[lane][k] - mean;
-        }
-    }
-    let mut start = 0.0;
-    for (lane, sum) in black_box(sums).into_iter().enumerate() {
-        out[lane * part..(lane + 1) * part].iter_mut().for_each(|value| *value += start);
-        start += sum;
-    }
-    for place in LANES * part..values.len() {
-        out[place] = start;
-        start += values[place] - mean;
-    }
+    widest(
+        #[inline(always)]
+        || {
+            let (from, into, part) = parts(values, out);
+            let mut sums = [0.0; LANES];
+            for k in 0..part {
+                for lane in 0..LANES {
+                    into[lane][k] = sums[lane];
+                    sums[lane] += from[lane][k] - mean;
+                }
+            }
+            let mut start = 0.0;
+            for (lane, sum) in black_box(sums).into_iter().enumerate() {
+                out[lane * part..(lane + 1) * part].iter_mut().for_each(|value| *value += start);
+                start += sum;
+            }
+            for place in LANES * part..values.len() {
+                out[place] = start;
+                start += values[place] - mean;
+            }
+        },
+    );
 }
 
 /// Σ_(i<m) y_i·(m − i) at each place m: the product of the values with a ramp that starts at m, where the values are
 /// orthogonal to straight lines. Zeros follow for moves up to `delays` places later.
-#[multiversion::multiversion(targets("x86_64+avx512f", "x86_64+avx2"))]
 #[expect(clippy::cast_precision_loss, reason = "a number of rows")]
 pub(super) fn ramps(values: &[f64], delays: usize) -> Vec<f64> {
-    // Room for the delays of a grid that ends beyond the last.
-    let mut out = vec![0.0; values.len() + delays + 16 * DELAYS];
-    let (from, into, part) = parts(values, &mut out);
-    let (mut sums, mut ramps) = ([0.0; LANES], [0.0; LANES]);
-    for k in 0..part {
-        for lane in 0..LANES {
-            into[lane][k] = ramps[lane];
-            sums[lane] += from[lane][k];
-            ramps[lane] += sums[lane];
-        }
-    }
-    let (mut ramp, mut slope) = (0.0, 0.0);
-    let (sums, ramps) = black_box((sums, ramps));
-    for lane in 0..LANES {
-        for (k, value) in out[lane * part..(lane + 1) * part].iter_mut().enumerate() {
-            *value += ramp + slope * k as f64;
-        }
-        ramp += part as f64 * slope + ramps[lane];
-        slope += sums[lane];
-    }
-    for place in LANES * part..values.len() {
-        out[place] = ramp;
-        slope += values[place];
-        ramp += slope;
-    }
-    out
+    widest(
+        #[inline(always)]
+        || {
+            // Room for the delays of a grid that ends beyond the last.
+            let mut out = vec![0.0; values.len() + delays + 16 * DELAYS];
+            let (from, into, part) = parts(values, &mut out);
+            let (mut sums, mut ramps) = ([0.0; LANES], [0.0; LANES]);
+            for k in 0..part {
+                for lane in 0..LANES {
+                    into[lane][k] = ramps[lane];
+                    sums[lane] += from[lane][k];
+                    ramps[lane] += sums[lane];
+                }
+            }
+            let (mut ramp, mut slope) = (0.0, 0.0);
+            let (sums, ramps) = black_box((sums, ramps));
+            for lane in 0..LANES {
+                for (k, value) in out[lane * part..(lane + 1) * part].iter_mut().enumerate() {
+                    *value += ramp + slope * k as f64;
+                }
+                ramp += part as f64 * slope + ramps[lane];
+                slope += sums[lane];
+            }
+            for place in LANES * part..values.len() {
+                out[place] = ramp;
+                slope += values[place];
+                ramp += slope;
+            }
+            out
+        },
+    )
 }
 
 /// Every fourth value.
