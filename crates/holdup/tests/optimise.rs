@@ -316,3 +316,50 @@ fn progress_moves_within_an_optimum_and_ends_at_the_whole() {
     task.trade_off(&[1.5, 1.7], &tell).unwrap();
     assert_eq!(told.load(Ordering::Relaxed), 2 * WHOLE);
 }
+
+#[test]
+fn where_two_peaks_are_equally_high_all_starts_agree_and_no_neighbour_is_better() {
+    for (objective, peak) in [(Objective::LoadIse, 1.4), (Objective::LoadIae, 1.2)] {
+        let task = |process: &Process| {
+            let task = Task::new(process, Structure::Pid, objective, &at_most(peak));
+            task.with_filter(Filter::Held(0.1)).optimise(&|_| {}).unwrap()
+        };
+        let found = task(&normal());
+        assert_eq!(found.agreeing, found.starts, "{objective:?}");
+        assert!(found.achieved.sensitivity_peak.unwrap() <= peak);
+        let (kc, ti, td) = (
+            found.controller.proportional_gain(),
+            found.controller.integral_time().unwrap(),
+            found.controller.derivative_time().unwrap(),
+        );
+        let mut allowed = 0;
+        for index in 0..125 {
+            let factor = |power: u32| 1.0 + 5e-4 * (f64::from(index / 5_u32.pow(power) % 5) - 2.0);
+            let other = Controller::proportional(kc * factor(0)).unwrap();
+            let other = other.with_integral_time(Seconds(ti * factor(1))).unwrap();
+            let other = other.with_derivative_time(Seconds(td * factor(2))).unwrap();
+            let other = other.with_filter_time(Seconds(0.1 * td * factor(2))).unwrap();
+            let achieved = margins(&ClosedLoop::new(&normal(), &other)).unwrap();
+            if achieved.sensitivity_peak.is_some_and(|reached| reached <= peak) {
+                allowed += 1;
+                let value = objective.of(&normal(), &other).unwrap();
+                // Two simulations, 1e-12 of the transient each.
+                assert!(value >= found.value * (1.0 - 1e-10), "{other:?} {value} {}", found.value);
+            }
+        }
+        assert!(allowed > 10, "{allowed}");
+        let scaled = task(&Process::integrating(-0.0506, Seconds(6.0)).unwrap());
+        let unit = if objective == Objective::LoadIse { 0.0506_f64.powi(2) * 216.0 } else { 0.0506 * 36.0 };
+        // Limits are kept by 4e-12, and each costs about ten times its share.
+        assert!((scaled.value / (found.value * unit) - 1.0).abs() < 1e-9, "{} {}", scaled.value, found.value);
+    }
+}
+
+#[test]
+fn under_a_limited_settling_time_most_starts_agree() {
+    let limits = at_most(2.0).with(Quantity::SetpointSettlingTime, 10.0);
+    let found = best(Structure::Pi, Objective::LoadIae, &limits);
+    assert!(found.agreeing >= 3, "{} of {}", found.agreeing, found.starts);
+    let settled = found.setpoint.unwrap().settling_time.unwrap();
+    assert!(settled <= 10.0 * (1.0 + 2e-9), "{settled}"); // as above
+}

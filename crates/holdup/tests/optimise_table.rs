@@ -64,8 +64,10 @@ fn a_search_at_a_knot_finds_what_the_table_says() {
 
 #[test]
 fn a_search_of_a_pid_finds_what_the_table_says() {
-    let pid = table(Structure::Pid, Filter::Held(0.1), Objective::LoadIae).unwrap();
-    holds_against_a_search(pid, 1.647);
+    let weighted = Objective::Weighted { load: 0.5 };
+    for objective in [Objective::LoadIae, weighted, Objective::LoadIse, Objective::SetpointIae] {
+        holds_against_a_search(table(Structure::Pid, Filter::Held(0.1), objective).unwrap(), 1.647);
+    }
     let pd = table(Structure::Pd, Filter::Held(0.1), Objective::SetpointIae).unwrap();
     holds_against_a_search(pd, 1.647);
 }

@@ -124,6 +124,12 @@ impl<'a> Gains<'a> {
         Self { design, limits, objective, precision, looks_below }
     }
 
+    /// Whether a limit or the objective jumps.
+    pub(super) fn jumps(&self) -> bool {
+        let settling = Quantity::SetpointSettlingTime;
+        self.limits.of(settling).is_some() || self.objective == Objective::Extreme(settling)
+    }
+
     /// The best controller of these parts.
     pub(super) fn best(&self, parts: &[f64]) -> Best {
         let mut gains = vec![GREATEST * self.design.headroom()];
@@ -266,7 +272,7 @@ impl<'a> Gains<'a> {
     }
 
     /// By how much a gain keeps every limit on margins, relative: −∞ where the loop is not stable.
-    fn slack(&self, parts: &[f64], gain: f64) -> f64 {
+    pub(super) fn slack(&self, parts: &[f64], gain: f64) -> f64 {
         let Ok(controller) = self.design.controller(parts, gain) else { return f64::NEG_INFINITY };
         margins(&ClosedLoop::new(&self.design.process, &controller))
             .map_or(f64::NEG_INFINITY, |achieved| self.limits.slack(&controller, &achieved))
@@ -313,13 +319,14 @@ impl<'a> Gains<'a> {
         let top = at(high).map(|found| Candidate { at_end: true, ..found });
         // Most often the value falls up to the greatest gain that is allowed.
         let below = at(high * BELOW);
-        let settling = Quantity::SetpointSettlingTime;
-        let jumps = self.limits.of(settling).is_some() || self.objective == Objective::Extreme(settling);
+        let jumps = self.jumps();
         if merit(&below) > merit(&top) && !jumps {
             return top;
         }
         let mut low = low();
-        if let (Some(longest), 1) = (self.limits.of(settling), self.design.process.integrators()) {
+        if let (Some(longest), 1) =
+            (self.limits.of(Quantity::SetpointSettlingTime), self.design.process.integrators())
+        {
             // With less gain more than a third of a step is left after that time.
             low = low.max(self.design.time / longest).min(high);
         }
@@ -338,12 +345,13 @@ impl<'a> Gains<'a> {
                     merit(&found)
                 });
             }
+        } else {
+            least(low, high, self.precision.inside, &mut |gain| {
+                let found = at(gain);
+                tried.extend(found);
+                merit(&found)
+            });
         }
-        least(low, high, self.precision.inside, &mut |gain| {
-            let found = at(gain);
-            tried.extend(found);
-            merit(&found)
-        });
         tried.sort_by(|a, b| a.gain.total_cmp(&b.gain));
         let best = (0..tried.len()).min_by(|&a, &b| tried[a].merit().total_cmp(&tried[b].merit()))?;
         // Where the limit on an integral ends what may be chosen, the best is where it is reached.
@@ -366,10 +374,15 @@ impl<'a> Gains<'a> {
     }
 
     /// The controller and its value; `None` where the value is infinite.
-    fn candidate(&self, parts: &[f64], gain: f64) -> Option<Candidate> {
+    pub(super) fn candidate(&self, parts: &[f64], gain: f64) -> Option<Candidate> {
         let controller = self.design.controller(parts, gain).ok()?;
         let transients = Transients::new(self.design, &controller);
         let excess = (-self.limits.spare(&transients)?).max(0.0);
+        if excess > FAR_OUTSIDE && self.jumps() {
+            // The response to the other step need not be followed.
+            let value = OUTSIDE / PENALTY;
+            return Some(Candidate { controller, gain, value, excess, at_end: false, at_reach: false });
+        }
         let value = self.objective.value(self.design, &controller, &transients)?;
         let found = Candidate { controller, gain, value, excess, at_end: false, at_reach: false };
         value.is_finite().then_some(found)

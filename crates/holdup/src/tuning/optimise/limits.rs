@@ -93,8 +93,13 @@ impl Quantity {
         }
     }
 
+    /// Whether its value comes from the responses.
+    pub(super) fn is_of_responses(self) -> bool {
+        matches!(self, Self::LoadIae | Self::SetpointIae | Self::SetpointSettlingTime | Self::VarianceGain(_))
+    }
+
     /// The value of a stable loop that its responses have; `None` where it is infinite.
-    fn of_transients(self, transients: &Transients<'_>) -> Option<f64> {
+    pub(super) fn of_transients(self, transients: &Transients<'_>) -> Option<f64> {
         match self {
             Self::LoadIae => transients.after(Input::Load)?.iae,
             Self::SetpointIae => transients.after(Input::Setpoint)?.iae,

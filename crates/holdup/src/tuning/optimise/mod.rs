@@ -18,6 +18,7 @@ mod limits;
 mod objective;
 mod progress;
 mod quasi_newton;
+mod ridge;
 mod search;
 mod simplex;
 pub mod table;

@@ -9,7 +9,8 @@ use super::infeasible::Conflict;
 use super::limits::Limits;
 use super::objective::Objective;
 use super::progress::{self, Progress};
-use super::simplex::minimise;
+use super::ridge;
+use super::simplex::{minimise, search as simplex};
 use super::task::Task;
 use crate::analysis::frequency::{FrequencyError, Margins};
 use crate::analysis::infinite_horizon::InfiniteHorizon;
@@ -17,6 +18,8 @@ use crate::model::{Controller, Process};
 
 /// Starts, and one more for each variable.
 const STARTS: usize = 2;
+/// The same where a limit jumps: there are as many minima as the response has swings.
+const STARTS_WITH_JUMPS: usize = 5;
 /// Rounds of searches: the second and later ones from where one ended apart from the best.
 const ROUNDS: u64 = 4;
 /// Points of the sweep over the whole space, for one variable and for more.
@@ -25,6 +28,9 @@ const SWEEP: usize = 160;
 /// Points of the sweep about the optimum for each variable, and the widths of the cubes that they fill.
 const ABOUT: usize = 15;
 const WIDTHS: [f64; 2] = [0.2, 0.02];
+/// A coarse search ends at this part of its first size, and is made so often before a fine one.
+const COARSE: f64 = 0.15;
+const TIMES: usize = 2;
 /// Sizes of the simplex: of a search, at its end, and of the polishing of the best, first and where that goes on.
 const FIRST: f64 = 0.12;
 pub(super) const SEARCHED: f64 = 1e-5;
@@ -125,11 +131,12 @@ pub(super) fn find(
         _ => lattice(count, SWEEP),
     };
     let mut sweep = swept(&sweeping, points, progress);
-    let starts = starts(&sweep, STARTS + count);
+    let number = if searching.jumps() { STARTS_WITH_JUMPS } else { STARTS };
+    let starts = starts(&sweep, number + count);
     let share = progress::SEARCHES / (ROUNDS * starts.len() as u64).max(1);
     let mut ends: Vec<End> = starts
         .into_par_iter()
-        .map(|start| search_from(&searching, &start, FIRST, SEARCHED, &mut progress.search(share)))
+        .map(|start| quickly_from(&searching, &start, FIRST, &mut progress.search(share)))
         .collect();
     // One that ended apart from the best goes on from there: on kinks a search may end too early.
     for _ in 1..ROUNDS {
@@ -139,11 +146,11 @@ pub(super) fn find(
             .into_par_iter()
             .map(|end| {
                 let mut watch = progress.search(share);
-                if !apart(&end) {
+                if end.fixed || !apart(&end) {
                     return end;
                 }
                 let next = search_from(&searching, &end.parts, AGAIN, SEARCHED, &mut watch);
-                if next.value() < end.value() { next } else { end }
+                if next.value() < end.value() { next } else { End { fixed: true, ..end } }
             })
             .collect();
     }
@@ -163,7 +170,7 @@ pub(super) fn find(
         let better = about.first().filter(|point| point.1 < end.value() - AGREE * end.value().abs()).cloned();
         sweep.extend(about);
         match better {
-            Some(point) => end = End { parts: point.0, best: None, merit: point.1 },
+            Some(point) => end = End { parts: point.0, best: None, merit: point.1, fixed: false },
             None => break,
         }
     }
@@ -189,6 +196,8 @@ pub(super) struct End {
     pub(super) best: Option<Candidate>,
     /// What it is worth, or the least merit met where none keeps them.
     merit: f64,
+    /// Whether another search from there leads nowhere.
+    fixed: bool,
 }
 
 impl End {
@@ -197,8 +206,7 @@ impl End {
     }
 }
 
-/// The local search; each design starts from the gain of the one before it. The least merit may lie a rounding outside of the
-/// limits: what counts is the best that keeps them.
+/// The local search, to the end.
 pub(super) fn search_from(
     gains: &Gains<'_>,
     start: &[f64],
@@ -206,25 +214,80 @@ pub(super) fn search_from(
     finest: f64,
     watch: &mut progress::Search<'_>,
 ) -> End {
-    let mut known: Option<Candidate> = None;
-    let mut kept: Option<(Vec<f64>, Candidate)> = None;
-    let mut value = |parts: &[f64]| {
-        watch.evaluated();
-        let found = gains.best_near(parts, known);
-        known = found.candidate().or(known);
+    let mut search = Search::new(gains, watch);
+    let last = if start.is_empty() {
+        (Vec::new(), search.value(start))
+    } else {
+        minimise(start, size, finest, &mut |parts| search.value(parts))
+    };
+    search.onto_the_ridge();
+    search.end(last)
+}
+
+/// The same by a coarse simplex and the ridge that it meets; to the end where it meets none.
+pub(super) fn quickly_from(
+    gains: &Gains<'_>,
+    start: &[f64],
+    size: f64,
+    watch: &mut progress::Search<'_>,
+) -> End {
+    if start.len() < 2 {
+        return search_from(gains, start, size, SEARCHED, watch);
+    }
+    let mut search = Search::new(gains, watch);
+    let (mut near, mut size) = (start.to_vec(), size);
+    for _ in 0..TIMES {
+        let last = simplex(&near, size, COARSE * size, &mut |parts| search.value(parts));
+        if search.onto_the_ridge() {
+            return search.end(last);
+        }
+        near = search.kept.as_ref().map_or(last.0, |kept| kept.0.clone());
+        size *= COARSE;
+    }
+    search_from(gains, &near, size, SEARCHED, watch)
+}
+
+/// The value of designs on the way of a search, each from the gain of the one before it. The least merit may lie a rounding
+/// outside of the limits: what counts is the best that keeps them.
+struct Search<'a, 'b> {
+    gains: &'a Gains<'a>,
+    watch: &'a mut progress::Search<'b>,
+    known: Option<Candidate>,
+    kept: Option<(Vec<f64>, Candidate)>,
+}
+
+impl<'a, 'b> Search<'a, 'b> {
+    fn new(gains: &'a Gains<'a>, watch: &'a mut progress::Search<'b>) -> Self {
+        Self { gains, watch, known: None, kept: None }
+    }
+
+    fn value(&mut self, parts: &[f64]) -> f64 {
+        self.watch.evaluated();
+        let found = self.gains.best_near(parts, self.known);
+        self.known = found.candidate().or(self.known);
         let better = |found: &Candidate| {
-            found.keeps() && kept.as_ref().is_none_or(|(_, kept)| found.value < kept.value)
+            found.keeps() && self.kept.as_ref().is_none_or(|(_, kept)| found.value < kept.value)
         };
         if let Some(found) = found.candidate().filter(better) {
-            kept = Some((parts.to_vec(), found));
+            self.kept = Some((parts.to_vec(), found));
         }
         found.merit()
-    };
-    let (parts, merit) =
-        if start.is_empty() { (Vec::new(), value(start)) } else { minimise(start, size, finest, &mut value) };
-    match kept {
-        Some((parts, best)) => End { parts, best: Some(best), merit },
-        None => End { parts, best: None, merit },
+    }
+
+    /// Goes on to what is better on a ridge; whether the optimum lies there.
+    fn onto_the_ridge(&mut self) -> bool {
+        let found = self.kept.as_ref().and_then(|(parts, best)| ridge::along(self.gains, parts, best));
+        let settled = found.as_ref().is_some_and(|found| found.settled);
+        self.kept = found.map(|found| (found.parts, found.best)).or(self.kept.take());
+        settled
+    }
+
+    /// The best that keeps the limits; where none does, what came nearest.
+    fn end(self, (parts, merit): (Vec<f64>, f64)) -> End {
+        match self.kept {
+            Some((parts, best)) => End { parts, best: Some(best), merit, fixed: false },
+            None => End { parts, best: None, merit, fixed: false },
+        }
     }
 }
 

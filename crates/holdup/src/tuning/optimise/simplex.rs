@@ -75,7 +75,8 @@ fn along(start: f64, size: f64, finest: f64, value: &mut Value) -> (Vec<f64>, f6
     if found.1 < here { (vec![found.0], found.1) } else { (vec![middle], here) }
 }
 
-fn search(start: &[f64], size: f64, finest: f64, value: &mut Value) -> (Vec<f64>, f64) {
+/// The simplex search alone, until it is as small as `finest`.
+pub(super) fn search(start: &[f64], size: f64, finest: f64, value: &mut Value) -> (Vec<f64>, f64) {
     let count = start.len();
     let inside = |point: Vec<f64>| -> Vec<f64> { point.into_iter().map(|x| x.clamp(0.0, 1.0)).collect() };
     let mut corners: Vec<(Vec<f64>, f64)> = vec![(start.to_vec(), value(start))];

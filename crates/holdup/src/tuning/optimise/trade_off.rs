@@ -6,7 +6,7 @@ use super::gain::{Gains, SEARCHING};
 use super::limits::{Limits, Quantity};
 use super::objective::Objective;
 use super::progress::Progress;
-use super::search::{OptimiseError, SEARCHED, find, search_from};
+use super::search::{OptimiseError, find, quickly_from};
 use super::task::Task;
 use crate::model::{Controller, Process};
 
@@ -99,7 +99,7 @@ impl Task {
             let gains = Gains::new(&design, objective, &limits, SEARCHING);
             let (progress, silent) = (Progress::new(tell), Progress::silent());
             let from_last = parts.as_ref().and_then(|start| {
-                let end = search_from(&gains, start, NEAR, SEARCHED, &mut silent.search(0));
+                let end = quickly_from(&gains, start, NEAR, &mut silent.search(0));
                 Some((end.parts, end.best?))
             });
             let from_scratch = from_last.is_none() || index == peaks.len() / 2 || index + 1 == peaks.len();

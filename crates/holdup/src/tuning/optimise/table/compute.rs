@@ -1,4 +1,5 @@
-//! How the tables are computed: `cargo test --release -p holdup --lib -- --ignored the_tables_are_computed_anew` writes the file.
+//! How the tables are computed: `cargo test --release -p holdup --lib -- --ignored the_tables_are_computed_anew` writes the file;
+//! `the_tables_that_are_missing_are_computed` keeps those that are in it.
 
 use std::fmt::Write as _;
 
@@ -183,40 +184,78 @@ impl Computing {
     }
 }
 
+/// The sections of the file by how they begin.
+fn sections(text: &str) -> Vec<&str> {
+    text.split("\n[[table]]\n").skip(1).collect()
+}
+
+/// How the section of a table begins.
+fn heading(structure: Structure, objective: Objective) -> String {
+    let mut text = format!("structure = \"{}\"\n", structure.name());
+    if structure.differentiates() {
+        let _ = writeln!(text, "filter_ratio = {RATIO}");
+    }
+    let _ = writeln!(text, "objective = \"{}\"", objective.name());
+    if let Objective::Weighted { load } = objective {
+        let _ = writeln!(text, "load_weight = {load:?}");
+    }
+    text + "error = "
+}
+
+/// The section of a table, computed.
+fn section(structure: Structure, objective: Objective) -> String {
+    let process = Process::integrating(1.0, Seconds(1.0)).unwrap();
+    let filter = if structure.differentiates() { Filter::Held(RATIO) } else { Filter::None };
+    let task = Task::new(&process, structure, objective, &Computing::limits(1.5)).with_filter(filter);
+    let computing = Computing { design: task.design().unwrap(), objective };
+    let (knots, worst) = computing.knots();
+    // Twice what was met in the middle of the intervals, and no less than what the search leaves.
+    let stated = [(worst[0], 2e-4), (worst[1], 1e-6), (worst[2], 1e-6)]
+        .map(|(met, least)| rounded_up((2.0 * met).max(least)));
+    let mut text = heading(structure, objective);
+    let _ = write!(text, "[{:?}, {:?}, {:?}]\nknots = [\n", stated[0], stated[1], stated[2]);
+    for knot in &knots {
+        let _ = write!(text, "  [{:?}", knot.peak);
+        for value in &knot.row {
+            let _ = write!(text, ", {value:.14}");
+        }
+        text += "],\n";
+    }
+    text + "]\n"
+}
+
+/// Writes every table; those that are in this text already as they are there.
+fn write(known: &str) {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/src/tuning/optimise/table/tables.toml");
+    let known = sections(known);
+    let mut text = HEAD.to_owned();
+    for (structure, objective) in TABLES {
+        let heading = heading(structure, objective);
+        let kept = known.iter().find(|section| section.starts_with(&heading));
+        let section = kept.map_or_else(|| section(structure, objective), |section| (*section).to_owned());
+        text = format!("{}\n\n[[table]]\n{section}", text.trim_end());
+        std::fs::write(path, &text).unwrap();
+    }
+}
+
 #[test]
 #[ignore = "takes minutes, and writes the file of the tables"]
 fn the_tables_are_computed_anew() {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/src/tuning/optimise/table/tables.toml");
-    let mut text = HEAD.to_owned();
-    for (structure, objective) in TABLES {
-        let process = Process::integrating(1.0, Seconds(1.0)).unwrap();
-        let filter = if structure.differentiates() { Filter::Held(RATIO) } else { Filter::None };
-        let task = Task::new(&process, structure, objective, &Computing::limits(1.5)).with_filter(filter);
-        let computing = Computing { design: task.design().unwrap(), objective };
-        let (knots, worst) = computing.knots();
-        let _ = write!(text, "\n[[table]]\nstructure = \"{}\"\n", structure.name());
-        if structure.differentiates() {
-            let _ = writeln!(text, "filter_ratio = {RATIO}");
-        }
-        let _ = writeln!(text, "objective = \"{}\"", objective.name());
-        if let Objective::Weighted { load } = objective {
-            let _ = writeln!(text, "load_weight = {load:?}");
-        }
-        // Twice what was met in the middle of the intervals, and no less than what the search leaves.
-        let stated = [(worst[0], 2e-4), (worst[1], 1e-6), (worst[2], 1e-6)]
-            .map(|(met, least)| rounded_up((2.0 * met).max(least)));
-        let _ = writeln!(text, "error = [{:?}, {:?}, {:?}]", stated[0], stated[1], stated[2]);
-        text += "knots = [\n";
-        for knot in &knots {
-            let _ = write!(text, "  [{:?}", knot.peak);
-            for value in &knot.row {
-                let _ = write!(text, ", {value:.14}");
-            }
-            text += "],\n";
-        }
-        text += "]\n";
-        std::fs::write(path, &text).unwrap();
-    }
+    write("");
+}
+
+#[test]
+#[ignore = "takes minutes, and writes the file of the tables"]
+fn the_tables_that_are_missing_are_computed() {
+    write(include_str!("tables.toml"));
+}
+
+#[test]
+fn every_table_that_is_listed_is_in_the_file_in_this_order() {
+    let known = sections(include_str!("tables.toml"));
+    let headings = TABLES.map(|(structure, objective)| heading(structure, objective));
+    assert_eq!(known.len(), headings.len());
+    assert!(known.iter().zip(&headings).all(|(section, heading)| section.starts_with(heading)));
 }
 
 fn rounded_up(value: f64) -> f64 {
