@@ -44,6 +44,7 @@ pub(super) enum Column {
     /// Numbers, NaN where there is none.
     Numbers(Vec<f64>),
     /// Instants [ns] since 1970-01-01T00:00, and whether that is UTC.
+    #[cfg_attr(not(feature = "parquet"), expect(dead_code, reason = "only Parquet files have instants"))]
     Instants(Vec<Option<i64>>, bool),
 }
 
