@@ -23,8 +23,10 @@ SCIPY = [PYTHON, str(PEERS / "scipy_numba.py")]
 LOOP = [str(PLACE / "loop")]
 LOOP_STEPS = (600, 1200, 2400, 4800, 9600, 12000, 19200)
 # Why a target is missed, where something is known about it: (work, against) → sentence. To be kept true by hand.
-LAYERS = ("the layers of the filter are carried exactly from dead time to dead time; by a profile about a fifth of the time is "
-          "integrals of squares, half as much each the states and the sign of the error; with points, half is their evaluation")
+LAYERS = ("the layers of the filter are carried exactly from dead time to dead time; by a profile a third of the time each is "
+          "integrals of squares and the states, a tenth the sign of the error; with points, half is their evaluation")
+LANES = ("eight processes to a vector; by a profile a quarter each is integrals of squares and the states, a sixth the sign of the error, and "
+         "a tenth each setting up the loops and segments of single lanes whose sign is not decided at once")
 BUSY = "a processor shared with others: the same run took up to 1.8 times its least time within minutes"
 REASONS = {
     ("W1", "python-control, 20 001 points"): LAYERS,
@@ -33,10 +35,10 @@ REASONS = {
     ("W1", "C, fourth order, equal accuracy"): LAYERS,
     ("W1", "C, Euler at 0.01 s, 20 001 points"): LAYERS,
     ("W2", "python-control"): "one loop takes the lanes of thirty-two",
-    ("W3", "python-control"): "as W1, eight processes to a vector",
-    ("W3", "time a process"): "as W1, eight processes to a vector",
+    ("W3", "python-control"): LANES,
+    ("W3", "time a process"): LANES,
     ("W4", "python-control"): "as the time of a controller, below",
-    ("W4", "time a controller"): "a third each for the crossovers, the peak and its proof; then reading controllers and writing results",
+    ("W4", "time a controller"): "by a profile three fifths is arithmetic, most of it the peak and its proof; the rest reading controllers and writing results",
     ("W5", "curve_fit"): "holdup weighs all dead times to 2000 s, curve_fit polishes a start that is near; a dozen passes over the rows take "
                           "about the same each, most of them held up by memory",
     ("W3", "two cores against one, on the wall"): BUSY,

@@ -10,6 +10,9 @@ use super::system::System;
 use crate::analysis::metrics::Metrics;
 use crate::model::ClosedLoop;
 
+/// Fewer loops are as fast one by one.
+const WORTHWHILE: usize = 4;
+
 /// Most breakpoints between which dead times are counted, to find loops to which the same happens in the same order.
 const COUNTED: usize = 12;
 
@@ -112,7 +115,9 @@ pub(in crate::analysis) fn integrals_of_many(
 
 fn of_bundle(loops: &[ClosedLoop], scenario: &Scenario) -> Vec<Result<Integrals, ResponseError>> {
     let systems: Vec<System> = loops.iter().map(System::new).collect();
-    if let [_, .., last] = systems.as_slice() {
+    if let [.., last] = systems.as_slice()
+        && systems.len() >= WORTHWHILE
+    {
         let lanes: [&System; layered::MOST] = std::array::from_fn(|l| systems.get(l).unwrap_or(last));
         if let Some(sums) = layered::integrals_together(&lanes, scenario) {
             return sums[..loops.len()].iter().map(|sums| Ok(Integrals::new(*sums))).collect();
