@@ -1,6 +1,7 @@
 //! Values of a layer at many times.
 
 use super::super::legendre::{BATCH, in_batches};
+use super::lanes::{LN_2, ROUND};
 use super::signal::LAYER_TERMS;
 use super::tables::INVERSE;
 use crate::analysis::widest;
@@ -47,10 +48,6 @@ fn add_batch(powers: &[f64], (start, rate): (f64, f64), times: &[f64; BATCH], va
 /// `e^(−θ)` for θ from 0 to 700, in lanes: 2^k times a Taylor polynomial on |r| ≤ ln(2)/2, whose next term is below 1e-17.
 #[inline(always)]
 fn exponentials(theta: &[f64; BATCH]) -> [f64; BATCH] {
-    // Adding 1.5·2^52 rounds to an integer, which then stands in the lowest bits.
-    const ROUND: f64 = 6_755_399_441_055_744.0;
-    // ln 2 in two parts, so that k·(first part) is exact.
-    const LN_2: (f64, f64) = (0.693_147_180_369_123_8, 1.908_214_929_270_587_7e-10);
     let mut values = [0.0; BATCH];
     for i in 0..BATCH {
         let shifted = -theta[i] * std::f64::consts::LOG2_E + ROUND;

@@ -205,16 +205,31 @@ impl<V: Lanes> End<V> {
 /// Sum of products, in four chains.
 #[inline(always)]
 fn dot<V: Lanes>(list: &[V], others: &[V], zero: V) -> V {
+    in_chains(
+        (list, others),
+        zero,
+        #[inline(always)]
+        |c, other, sum| c.times_plus(*other, sum),
+    )
+}
+
+/// The sum over pairs, each added by `plus`, in four chains; there may be more of the second than of the first.
+#[inline(always)]
+pub(super) fn in_chains<V: Lanes, W>(
+    (list, others): (&[V], &[W]),
+    zero: V,
+    plus: impl Fn(V, &W, V) -> V,
+) -> V {
     let mut sums = [zero; 4];
     let (fours, rest) = list.as_chunks::<4>();
     let (other_fours, _) = others.as_chunks::<4>();
     for (four, others) in fours.iter().zip(other_fours) {
         for k in 0..4 {
-            sums[k] = four[k].times_plus(others[k], sums[k]);
+            sums[k] = plus(four[k], &others[k], sums[k]);
         }
     }
     for (k, c) in rest.iter().enumerate() {
-        sums[k] = c.times_plus(others[4 * fours.len() + k], sums[k]);
+        sums[k] = plus(*c, &others[4 * fours.len() + k], sums[k]);
     }
     (sums[0] + sums[1]) + (sums[2] + sums[3])
 }

@@ -5,7 +5,7 @@ use super::integrals::ROUNDING;
 use super::lanes::{Lanes, Set};
 use super::propagate::Stretch;
 use super::signal::LAYER_TERMS;
-use super::signals::{End, Signals};
+use super::signals::{End, Signals, in_chains};
 use super::tables::{INVERSE, TABLES};
 
 /// Sums of several loops, and the loops for which they are decided.
@@ -138,18 +138,12 @@ fn square_sum<V: Lanes>(layer: &[V], size: V, floor: V) -> V {
 /// Sum of products with numbers, in four chains.
 #[inline(always)]
 pub(super) fn dot<V: Lanes>(list: &[V], weights: &[f64], like: V) -> V {
-    let mut sums = [like.like(0.0); 4];
-    let (fours, rest) = list.as_chunks::<4>();
-    let (four_weights, _) = weights.as_chunks::<4>();
-    for (four, weights) in fours.iter().zip(four_weights) {
-        for k in 0..4 {
-            sums[k] = four[k].scaled_plus(weights[k], sums[k]);
-        }
-    }
-    for (k, c) in rest.iter().enumerate() {
-        sums[k] = c.scaled_plus(weights[4 * fours.len() + k], sums[k]);
-    }
-    (sums[0] + sums[1]) + (sums[2] + sums[3])
+    in_chains(
+        (list, weights),
+        like.like(0.0),
+        #[inline(always)]
+        |c, weight, sum| c.scaled_plus(*weight, sum),
+    )
 }
 
 const _: () =

@@ -6,10 +6,10 @@ use fearless_simd::{Simd, f64x8};
 use super::super::tables::INVERSE;
 use super::{Lanes, Set};
 
-/// 1.5·2^52: a number added to it is rounded to an integer.
-const ROUND: f64 = 6_755_399_441_055_744.0;
+/// 1.5·2^52: a number added to it is rounded to an integer, which then stands in the lowest bits.
+pub(in super::super) const ROUND: f64 = 6_755_399_441_055_744.0;
 /// ln 2 in two parts, so that a small integer times the first is exact.
-const LN_2: (f64, f64) = (0.693_147_180_369_123_8, 1.908_214_929_270_587_7e-10);
+pub(in super::super) const LN_2: (f64, f64) = (0.693_147_180_369_123_8, 1.908_214_929_270_587_7e-10);
 /// 1/j!
 const TAYLOR: [f64; 14] = {
     let mut table = [1.0; 14];
