@@ -53,20 +53,25 @@ fn the_optimum_scales_with_the_process() {
     assert!((scaled.controller.proportional_gain() / gain - 1.0).abs() < 1e-5);
 }
 
-#[test]
-fn no_neighbour_that_keeps_the_limit_is_better() {
-    let found = best(Structure::Pid, Objective::LoadIae, &at_most(1.7));
-    let (kc, ti, td) = (
-        found.controller.proportional_gain(),
-        found.controller.integral_time().unwrap(),
-        found.controller.derivative_time().unwrap(),
-    );
-    let mut allowed = 0;
-    for index in 0..125 {
-        let factor = |power: u32| 0.94 + 0.03 * f64::from(index / 5_u32.pow(power) % 5);
+/// PID controllers whose settings are up to two steps of this relative size away; a filter stays in its ratio.
+fn neighbours(of: &Controller, step: f64) -> impl Iterator<Item = Controller> {
+    let (kc, ti, td) = (of.proportional_gain(), of.integral_time().unwrap(), of.derivative_time().unwrap());
+    let ratio = of.derivative_filter().map(|filter| filter.time() / td);
+    (0..125).map(move |index| {
+        let factor = |power: u32| 1.0 + step * (f64::from(index / 5_u32.pow(power) % 5) - 2.0);
         let other = Controller::proportional(kc * factor(0)).unwrap();
         let other = other.with_integral_time(Seconds(ti * factor(1))).unwrap();
         let other = other.with_derivative_time(Seconds(td * factor(2))).unwrap();
+        let filter_time = ratio.map(|ratio| Seconds(ratio * td * factor(2)));
+        filter_time.map_or(other, |time| other.with_filter_time(time).unwrap())
+    })
+}
+
+#[test]
+fn no_neighbour_that_keeps_the_limit_is_better() {
+    let found = best(Structure::Pid, Objective::LoadIae, &at_most(1.7));
+    let mut allowed = 0;
+    for other in neighbours(&found.controller, 0.03) {
         let achieved = margins(&ClosedLoop::new(&normal(), &other)).unwrap();
         if achieved.sensitivity_peak.is_some_and(|peak| peak <= 1.7) {
             allowed += 1;
@@ -327,18 +332,8 @@ fn where_two_peaks_are_equally_high_all_starts_agree_and_no_neighbour_is_better(
         let found = task(&normal());
         assert_eq!(found.agreeing, found.starts, "{objective:?}");
         assert!(found.achieved.sensitivity_peak.unwrap() <= peak);
-        let (kc, ti, td) = (
-            found.controller.proportional_gain(),
-            found.controller.integral_time().unwrap(),
-            found.controller.derivative_time().unwrap(),
-        );
         let mut allowed = 0;
-        for index in 0..125 {
-            let factor = |power: u32| 1.0 + 5e-4 * (f64::from(index / 5_u32.pow(power) % 5) - 2.0);
-            let other = Controller::proportional(kc * factor(0)).unwrap();
-            let other = other.with_integral_time(Seconds(ti * factor(1))).unwrap();
-            let other = other.with_derivative_time(Seconds(td * factor(2))).unwrap();
-            let other = other.with_filter_time(Seconds(0.1 * td * factor(2))).unwrap();
+        for other in neighbours(&found.controller, 5e-4) {
             let achieved = margins(&ClosedLoop::new(&normal(), &other)).unwrap();
             if achieved.sensitivity_peak.is_some_and(|reached| reached <= peak) {
                 allowed += 1;
