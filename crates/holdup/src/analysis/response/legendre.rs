@@ -4,7 +4,6 @@
 //! Legendre polynomial is at most 1), integration is an index shift, and a lag of any stiffness is a tridiagonal system that is
 //! well conditioned (see `lag.rs`).
 
-use crate::analysis::widest;
 use std::sync::LazyLock;
 
 /// Number of coefficients of a cell's polynomial.
@@ -61,9 +60,6 @@ pub(super) fn value(coefficients: &[f64], s: f64) -> f64 {
     one
 }
 
-/// Points that are evaluated together.
-pub(super) const BATCH: usize = 32;
-
 /// Power-basis coefficients of each Legendre polynomial, row k for degree k.
 static POWERS: LazyLock<[Poly; TERMS]> = LazyLock::new(|| {
     let mut table = [[0.0; TERMS]; TERMS];
@@ -108,65 +104,6 @@ pub(super) fn from_powers(c: &Poly) -> Poly {
         add(&mut sum, *c, row);
     }
     sum
-}
-
-/// Values at many times of a polynomial in the power basis, on a cell that starts at `start` and is `2/scale` long.
-pub(super) fn evaluate(powers: &[f64], (start, scale): (f64, f64), times: &[f64], values: &mut [f64]) {
-    widest(
-        #[inline(always)]
-        || {
-            in_batches(times, values, start, |times, values| {
-                evaluate_batch(powers, (start, scale), times, values);
-            });
-        },
-    );
-}
-
-/// Hands times and values on in batches; the last one is filled up with the time `filler`.
-#[expect(
-    clippy::inline_always,
-    reason = "only what is inlined is compiled for the instruction set chosen at run time"
-)]
-#[inline(always)]
-pub(super) fn in_batches(
-    times: &[f64],
-    values: &mut [f64],
-    filler: f64,
-    each: impl Fn(&[f64; BATCH], &mut [f64; BATCH]),
-) {
-    let (values, rest) = values.as_chunks_mut::<BATCH>();
-    let (times, rest_of_times) = times.as_chunks::<BATCH>();
-    for (times, values) in times.iter().zip(values) {
-        each(times, values);
-    }
-    let (mut some_times, mut some_values) = ([filler; BATCH], [0.0; BATCH]);
-    some_times[..rest.len()].copy_from_slice(rest_of_times);
-    some_values[..rest.len()].copy_from_slice(rest);
-    each(&some_times, &mut some_values);
-    rest.copy_from_slice(&some_values[..rest.len()]);
-}
-
-#[expect(
-    clippy::inline_always,
-    reason = "only what is inlined is compiled for the instruction set chosen at run time"
-)]
-#[inline(always)]
-fn evaluate_batch(
-    powers: &[f64],
-    (start, scale): (f64, f64),
-    times: &[f64; BATCH],
-    values: &mut [f64; BATCH],
-) {
-    let (mut points, mut sums) = ([0.0; BATCH], [0.0; BATCH]);
-    for i in 0..BATCH {
-        points[i] = ((times[i] - start) * scale - 1.0).clamp(-1.0, 1.0);
-    }
-    for &c in powers.iter().rev() {
-        for i in 0..BATCH {
-            sums[i] = sums[i] * points[i] + c;
-        }
-    }
-    *values = sums;
 }
 
 /// Values at both ends, s = −1 and s = 1.
@@ -449,20 +386,6 @@ mod tests {
         let (p, half) = (exponential(1.3), restricted(&exponential(1.3), -0.2, 0.7));
         for s in [-1.0f64, 0.1, 1.0] {
             assert!((value(&half, s) - value(&p, 0.25 + 0.45 * s)).abs() < 1e-13);
-        }
-    }
-
-    #[test]
-    fn the_power_basis_gives_the_same_values() {
-        // 5 is the steepest exponential that 24 terms hold to rounding: where the power basis loses most.
-        let p = exponential(5.0);
-        let (c, terms) = powers(&p);
-        let times: Vec<f64> = (0..45).map(|i| f64::from(i) / 22.0).collect();
-        let mut values = vec![0.0; times.len()];
-        evaluate(&c[..terms], (0.0, 1.0), &times, &mut values);
-        for (t, v) in times.iter().zip(values) {
-            // 1e-13 relative to the largest value, e⁵: rounding of 24 terms.
-            assert!((v - value(&p, t - 1.0)).abs() < 1e-13 * 5f64.exp(), "{t}");
         }
     }
 

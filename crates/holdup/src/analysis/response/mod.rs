@@ -24,6 +24,7 @@ mod scenario;
 mod solver;
 mod system;
 mod trajectory;
+mod values;
 
 pub use error::ResponseError;
 pub use extent::{Extreme, OutputExtent, output_extent};

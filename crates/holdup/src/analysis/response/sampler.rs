@@ -1,30 +1,51 @@
 //! Values of the signals at requested times, from cells and from segments.
 
+use std::iter::once;
+
+use smallvec::SmallVec;
+
 use super::cell::{Cell, Outcome, Watch};
 use super::error::ResponseError;
-use super::layered::{Segment, Signal, add_layer};
-use super::legendre::{Poly, ends, evaluate, magnitude, powers, significant};
+use super::layered::{Segment, Signal};
+use super::legendre::{Poly, ends};
 use super::scenario::Scenario;
 use super::system::System;
 use super::trajectory::Trajectory;
+use super::values::{Curve, Place, evaluate};
+use crate::analysis::widest;
 
-/// What is this part of a signal is not seen.
-const UNSEEN: f64 = 1e-13;
+/// Controlled variable, controller output and load estimate.
+type Curves = SmallVec<[Curve; 3]>;
 
-/// Value at each time of what starts at `rest` and is held from event to event.
+/// Value at each time of what starts at `rest` and is held from event to event, which are in order.
 fn hold(values: &mut Vec<f64>, times: &[f64], sorted: bool, rest: f64, events: &[(f64, f64)]) {
-    values.clear();
     values.resize(times.len(), rest);
-    for &(at, value) in events {
-        if sorted {
-            let from = times.partition_point(|&t| t < at);
-            values[from..].fill(value);
-        } else {
+    if !sorted {
+        values.fill(rest);
+        for &(at, value) in events {
             for (held, _) in values.iter_mut().zip(times).filter(|(_, t)| **t >= at) {
                 *held = value;
             }
         }
+        return;
     }
+    let (mut from, mut held) = (0, rest);
+    for &(at, value) in events {
+        let to = times.partition_point(|&t| t < at);
+        values[from..to].fill(held);
+        (from, held) = (to, value);
+    }
+    values[from..].fill(held);
+}
+
+/// Whether no time is before the one ahead of it; what is not a number is in no order.
+fn are_sorted(times: &[f64]) -> bool {
+    // Counting has no way out of the loop, so it is done in vectors.
+    let steps_on: usize = widest(
+        #[inline(always)]
+        || times.iter().zip(times.iter().skip(1)).map(|(a, b)| usize::from(a <= b)).sum(),
+    );
+    steps_on + 1 >= times.len()
 }
 
 /// Fills in the requested times, which it walks through in increasing order.
@@ -51,13 +72,13 @@ impl<'a> Sampler<'a> {
         let horizon = scenario.horizon();
         let times = &result.time;
         let is_within = |t: f64| t >= 0.0 && t <= horizon;
-        // Counting has no way out of the loop, so it is done in vectors.
-        let outside: usize = times.iter().map(|&t| usize::from(!is_within(t))).sum();
-        if let Some(&value) = times.iter().find(|t| outside > 0 && !is_within(**t)) {
+        let sorted = are_sorted(times);
+        let ends = [times.first(), times.last()];
+        if !(sorted && ends.into_iter().flatten().all(|t| is_within(*t)))
+            && let Some(&value) = times.iter().find(|t| !is_within(**t))
+        {
             return Err(ResponseError::TimeOutside { value, horizon });
         }
-        let steps_back: usize = times.iter().zip(times.iter().skip(1)).map(|(a, b)| usize::from(a > b)).sum();
-        let sorted = steps_back == 0;
         let order = (!sorted).then(|| {
             let mut order: Vec<usize> = (0..times.len()).collect();
             order.sort_by(|&a, &b| times[a].total_cmp(&times[b]));
@@ -121,92 +142,27 @@ impl<'a> Sampler<'a> {
     }
 }
 
-/// One signal as a function of time: powers of s, and a layer that counts until `over`.
-struct Curve<'a> {
-    start: f64,
-    length: f64,
-    powers: Poly,
-    terms: usize,
-    layer: &'a [f64],
-    /// Factor of the layer, and its rate [1/s].
-    factor: f64,
-    rate: f64,
-    over: f64,
-}
-
-impl Curve<'_> {
-    fn of_cell((start, length): (f64, f64), poly: &Poly) -> Self {
-        let (powers, terms) = powers(poly);
-        Self { start, length, powers, terms, layer: &[], factor: 0.0, rate: 0.0, over: start }
-    }
-
-    fn of_segment<'a>(segment: &Segment<'_>, signal: &'a Signal) -> Curve<'a> {
-        let size = magnitude(&signal.smooth);
-        let layer = &signal.layer[..segment.terms];
-        let floor = UNSEEN * (size + layer.iter().map(|q| q.abs()).sum::<f64>());
-        let terms = significant(&signal.smooth, floor);
-        // No e^(−θ)·θ^j/j! exceeds 1.
-        let mut left_out = 0.0;
-        let counts = |q: &f64| {
-            left_out += q.abs();
-            left_out > floor
-        };
-        let layer_terms = layer.iter().rposition(counts).map_or(0, |last| last + 1);
-        Curve {
-            start: segment.start,
-            length: segment.length,
-            powers: signal.smooth,
-            terms,
-            layer: &layer[..layer_terms],
-            factor: 1.0,
-            rate: segment.rate,
-            over: segment.start + segment.layer_over(signal, UNSEEN) / segment.rate.max(f64::MIN_POSITIVE),
-        }
-    }
-
-    /// `level − self`.
-    fn below(mut self, level: f64) -> Self {
-        for c in &mut self.powers {
-            *c = -*c;
-        }
-        self.powers[0] += level;
-        self.terms = self.terms.max(1);
-        self.factor = -1.0;
-        self
-    }
-
-    fn evaluate(&self, times: &[f64], values: &mut [f64]) {
-        evaluate(&self.powers[..self.terms], (self.start, 2.0 / self.length), times, values);
-        if !self.layer.is_empty() {
-            let near = times.partition_point(|&t| t < self.over);
-            let place = (self.start, self.rate);
-            add_layer(self.layer, self.factor, place, &times[..near], &mut values[..near]);
-        }
-    }
-
-    /// Fills in the values at these positions.
-    fn fill(&self, (from, to): (usize, usize), order: Option<&[usize]>, times: &[f64], values: &mut [f64]) {
-        match order {
-            None => self.evaluate(&times[from..to], &mut values[from..to]),
-            Some(order) => {
-                for &i in &order[from..to] {
-                    self.evaluate(&times[i..=i], &mut values[i..=i]);
-                }
-            }
-        }
-    }
-}
-
 impl Sampler<'_> {
-    /// Fills in the times before the end of a stretch of time over which the signals are these curves.
-    fn add(&mut self, range: (usize, usize), y: &Curve<'_>, u: &Curve<'_>, estimate: Option<&Curve<'_>>) {
-        let order = self.order.as_deref();
+    /// Fills in the times before the end of a stretch of time over which the signals are these curves: controlled
+    /// variable, controller output and, where there is one, load estimate.
+    fn fill(&mut self, (from, to): (usize, usize), place: Place, curves: &[Curve]) {
         let Trajectory { time, controlled_variable, manipulated_variable, load_estimate, .. } =
             &mut self.result;
-        y.fill(range, order, time, controlled_variable);
-        u.fill(range, order, time, manipulated_variable);
-        if let Some((curve, values)) = estimate.zip(load_estimate.as_mut()) {
-            curve.fill(range, order, time, values);
+        let signals = [Some(controlled_variable), Some(manipulated_variable), load_estimate.as_mut()];
+        let signals = signals.into_iter().flatten();
+        let Some(order) = &self.order else {
+            let mut values: SmallVec<[&mut [f64]; 3]> = signals.map(|signal| &mut signal[from..to]).collect();
+            evaluate(place, curves, &time[from..to], &mut values);
+            return;
+        };
+        let order = &order[from..to];
+        let times: Vec<f64> = order.iter().map(|&i| time[i]).collect();
+        let mut found = vec![vec![0.0; times.len()]; curves.len()];
+        evaluate(place, curves, &times, &mut found.iter_mut().map(Vec::as_mut_slice).collect::<Vec<_>>());
+        for (signal, found) in signals.zip(&found) {
+            for (&i, value) in order.iter().zip(found) {
+                signal[i] = *value;
+            }
         }
     }
 }
@@ -222,10 +178,10 @@ impl Watch for Sampler<'_> {
         if range.0 == range.1 {
             return;
         }
-        let place = (cell.start, cell.length);
-        let curve = |poly| Curve::of_cell(place, poly);
-        let y = curve(cell.error).below(level);
-        self.add(range, &y, &curve(cell.manipulated), estimate.map(curve).as_ref());
+        let place = Place { start: cell.start, length: cell.length, rate: 0.0 };
+        let y = Curve::of_cell(cell.error).below(level);
+        let others = [Some(cell.manipulated), estimate].into_iter().flatten().map(Curve::of_cell);
+        self.fill(range, place, &once(y).chain(others).collect::<Curves>());
     }
 
     fn segment(&mut self, segment: &Segment<'_>) {
@@ -238,9 +194,10 @@ impl Watch for Sampler<'_> {
         if range.0 == range.1 {
             return;
         }
+        let place = Place { start: segment.start, length: segment.length, rate: segment.rate };
         let curve = |signal| Curve::of_segment(segment, signal);
-        let y = curve(segment.error).below(level);
-        self.add(range, &y, &curve(segment.manipulated), estimate.map(curve).as_ref());
+        let others = [Some(segment.manipulated), estimate].into_iter().flatten().map(curve);
+        self.fill(range, place, &once(curve(segment.error).below(level)).chain(others).collect::<Curves>());
     }
 
     fn restart(&mut self) {

@@ -22,7 +22,6 @@
 mod alone;
 mod areas;
 mod crossings;
-mod evaluate;
 mod extrema;
 mod integrals;
 mod lanes;
@@ -37,10 +36,10 @@ mod states;
 mod tables;
 mod together;
 
-pub(super) use evaluate::add_layer;
-pub(super) use lanes::MOST;
+pub(super) use lanes::{MOST, exponential};
 pub(super) use segment::Segment;
-pub(super) use signal::Signal;
+pub(super) use signal::{LAYER_TERMS, Layer, Signal};
+pub(super) use tables::INVERSE;
 
 use fearless_simd::{Level, Simd as _, dispatch, f64x8};
 

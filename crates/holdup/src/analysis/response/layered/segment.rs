@@ -129,8 +129,8 @@ impl Segment<'_> {
 
     /// From here on, in units of the fast pole's time constant, the layer of a signal stays below `floor`.
     pub(super) fn layer_below(&self, signal: &Signal, floor: f64) -> f64 {
-        let layer = &signal.layer[..self.terms];
-        let bound = |bounds: &[f64]| layer.iter().zip(bounds).map(|(q, b)| q.abs() * b).sum::<f64>();
+        let sizes = signal.layer.map(f64::abs);
+        let bound = |bounds: &[f64]| dot(&sizes[..self.terms], bounds);
         let edge = EDGES.iter().zip(&TABLES.bounds).find(|(_, bounds)| bound(*bounds) <= floor);
         edge.map_or_else(|| decay(self.terms), |(edge, _)| *edge)
     }

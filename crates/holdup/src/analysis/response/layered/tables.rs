@@ -7,7 +7,7 @@ use super::signal::{LAYER_TERMS, Layer};
 
 /// `1/j`, and 0 for j = 0.
 #[expect(clippy::cast_precision_loss, reason = "at most 64")]
-pub(super) const INVERSE: [f64; LAYER_TERMS + 1] = {
+pub(in super::super) const INVERSE: [f64; LAYER_TERMS + 1] = {
     let mut table = [0.0; LAYER_TERMS + 1];
     let mut j = 1;
     while j <= LAYER_TERMS {

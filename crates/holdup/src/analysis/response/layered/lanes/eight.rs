@@ -7,9 +7,9 @@ use super::super::tables::INVERSE;
 use super::{Lanes, Set};
 
 /// 1.5·2^52: a number added to it is rounded to an integer, which then stands in the lowest bits.
-pub(in super::super) const ROUND: f64 = 6_755_399_441_055_744.0;
+const ROUND: f64 = 6_755_399_441_055_744.0;
 /// ln 2 in two parts, so that a small integer times the first is exact.
-pub(in super::super) const LN_2: (f64, f64) = (0.693_147_180_369_123_8, 1.908_214_929_270_587_7e-10);
+const LN_2: (f64, f64) = (0.693_147_180_369_123_8, 1.908_214_929_270_587_7e-10);
 /// 1/j!
 const TAYLOR: [f64; 14] = {
     let mut table = [1.0; 14];
@@ -98,7 +98,7 @@ impl<S: Simd> Lanes for f64x8<S> {
 
 /// `e^x` for x from −700 to 0: 2^k times a Taylor polynomial on |r| ≤ ln(2)/2, whose next term is below 1e-17.
 #[inline(always)]
-fn exponential<S: Simd>(x: f64x8<S>) -> f64x8<S> {
+pub(in super::super::super) fn exponential<S: Simd>(x: f64x8<S>) -> f64x8<S> {
     // Adding 1.5·2^52 rounds to an integer, which then stands in the lowest bits.
     let shifted = x.scaled_plus(std::f64::consts::LOG2_E, x.like(ROUND));
     let k = shifted - x.like(ROUND);

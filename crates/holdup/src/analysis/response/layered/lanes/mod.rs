@@ -8,7 +8,7 @@ mod tests;
 
 use std::ops::{Add, AddAssign, Div, Index, IndexMut, Mul, Neg, Sub};
 
-pub(super) use eight::{LN_2, ROUND};
+pub(in super::super) use eight::exponential;
 pub(super) use one::One;
 pub(super) use set::Set;
 
