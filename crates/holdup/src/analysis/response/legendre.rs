@@ -230,22 +230,28 @@ struct Gauss {
     transform: [Poly; TERMS],
 }
 
-static GAUSS: LazyLock<Gauss> = LazyLock::new(|| {
-    let (mut nodes, mut weights) = ([0.0; TERMS], [0.0; TERMS]);
+/// Gauss nodes in increasing order, and their weights.
+pub(super) fn gauss_rule<const N: usize>() -> ([f64; N], [f64; N]) {
+    let (mut nodes, mut weights) = ([0.0; N], [0.0; N]);
     let mut index = 0.0;
-    for i in 0..TERMS {
-        #[expect(clippy::cast_precision_loss, reason = "24")]
-        let n = TERMS as f64;
+    for i in 0..N {
+        #[expect(clippy::cast_precision_loss, reason = "at most 24")]
+        let n = N as f64;
         let mut s = -(std::f64::consts::PI * (index + 0.75) / (n + 0.5)).cos();
         for _ in 0..20 {
-            let (p, dp) = highest(s);
+            let (p, dp) = of_degree(N, s);
             s -= p / dp;
         }
-        let (_, dp) = highest(s);
+        let (_, dp) = of_degree(N, s);
         nodes[i] = s;
         weights[i] = 2.0 / ((1.0 - s * s) * dp * dp);
         index += 1.0;
     }
+    (nodes, weights)
+}
+
+static GAUSS: LazyLock<Gauss> = LazyLock::new(|| {
+    let (nodes, weights) = gauss_rule::<TERMS>();
     let basis = basis(&nodes);
     let mut transform = [[0.0; TERMS]; TERMS];
     for k in 0..TERMS {
@@ -270,10 +276,10 @@ pub(super) fn interpolated(f: impl Fn(f64) -> f64) -> Poly {
     p
 }
 
-/// The Legendre polynomial of degree [`TERMS`] and its derivative at `s`.
-fn highest(s: f64) -> (f64, f64) {
+/// The Legendre polynomial of this degree and its derivative at `s`.
+fn of_degree(degree: usize, s: f64) -> (f64, f64) {
     let (mut before, mut now, mut k) = (1.0, s, 1.0);
-    for _ in 1..TERMS {
+    for _ in 1..degree {
         (before, now) = (now, ((2.0 * k + 1.0) * s * now - k * before) / (k + 1.0));
         k += 1.0;
     }

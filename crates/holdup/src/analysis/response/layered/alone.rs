@@ -23,10 +23,10 @@ impl<'w, W> Alone<'w, W> {
 impl<W: Watch> Follow<One> for Alone<'_, W> {
     fn stretch(&mut self, stretch: &Stretch<'_, One>) {
         let terms = stretch.terms;
-        stretch.error.of_loop(0, terms, &mut self.error);
-        stretch.manipulated.of_loop(0, terms, &mut self.manipulated);
+        stretch.deviation.of_loop(0, -1.0, terms, &mut self.error);
+        stretch.manipulated.of_loop(0, 1.0, terms, &mut self.manipulated);
         if let Some(estimate) = stretch.load_estimate {
-            estimate.of_loop(0, terms, &mut self.load_estimate);
+            estimate.of_loop(0, 1.0, terms, &mut self.load_estimate);
         }
         self.watch.segment(&Segment {
             start: stretch.start[0],

@@ -4,7 +4,7 @@ use super::crossings::{crossings, root};
 use super::integrals::ROUNDING;
 use super::lanes::{Lanes, Set};
 use super::propagate::Stretch;
-use super::squares::{Decided, dot, shifted};
+use super::squares::{Decided, dot};
 use super::tables::{INVERSE, TABLES};
 
 /// `∫|e|` and `∫t·|e|` of each loop, decided where its error changes sign at most twice, and provably so.
@@ -18,10 +18,10 @@ pub(super) fn areas<V: Lanes>(stretch: &Stretch<'_, V>, so_far: (V, V)) -> Decid
 
 #[inline(always)]
 fn of_magnitudes<V: Lanes>(stretch: &Stretch<'_, V>, so_far: (V, V)) -> Decided<(V, V)> {
-    let e = stretch.error;
+    let e = stretch.deviation;
     let zero = stretch.length.like(0.0);
-    let (smooth_size, layer_size) = e.sizes(stretch.terms);
-    let swing = smooth_size - e.smooth[0].abs() + layer_size;
+    let layer_size = stretch.deviation_sizes.layer;
+    let swing = stretch.deviation_sizes.swing + layer_size;
     let (mut total, mut moment) = totals(stretch);
     let end = stretch.start + stretch.length;
     let mut layer_end = zero;
@@ -32,7 +32,7 @@ fn of_magnitudes<V: Lanes>(stretch: &Stretch<'_, V>, so_far: (V, V)) -> Decided<
     let ended = left.all_at_most(floor * iae) && (left * end).all_at_most(floor * itae);
     if stretch.terms > 0 && !ended {
         let theta = stretch.rate * stretch.length;
-        let later = shifted(stretch.end, layer);
+        let later = stretch.end.shifted(&e.layer, stretch.terms);
         layer_end = later[0];
         let (all, first) = of_layer(&later[..stretch.terms], zero);
         let (area, weighted) = with_layer(stretch, stretch.terms, (all, first + theta * all), (zero, zero));
@@ -69,8 +69,8 @@ fn of_magnitudes<V: Lanes>(stretch: &Stretch<'_, V>, so_far: (V, V)) -> Decided<
 /// `∫e dt` and `∫t·e dt` over the stretch, of the layer to infinity.
 #[inline(always)]
 fn totals<V: Lanes>(stretch: &Stretch<'_, V>) -> (V, V) {
-    let e = stretch.error;
-    let smooth = &e.smooth[..e.order];
+    let e = stretch.deviation;
+    let smooth = e.smooth_blocks();
     let half = stretch.length * 0.5;
     let area = stretch.length * dot(smooth, &TABLES.areas, half);
     let about_middle = stretch.length * half * dot(smooth, &TABLES.moments_about_middle, half);
@@ -109,7 +109,7 @@ fn with_layer<V: Lanes>(
 /// The same from the start of the stretch to `s`.
 #[inline(always)]
 fn integrals<V: Lanes>(stretch: &Stretch<'_, V>, terms: usize, s: V) -> (V, V) {
-    let e = stretch.error;
+    let e = stretch.deviation;
     let half = stretch.length * 0.5;
     let zero = s.like(0.0);
     let (mut area, mut before) = (zero, zero);

@@ -37,8 +37,8 @@ impl<V: Lanes> Integrals<V> {
     #[cold]
     fn of_one(&mut self, stretch: &Stretch<'_, V>, l: usize, of: impl Fn(&mut Measure, &Segment<'_>)) {
         let terms = stretch.terms;
-        stretch.error.of_loop(l, terms, &mut self.alone.0);
-        stretch.manipulated.of_loop(l, terms, &mut self.alone.1);
+        stretch.deviation.of_loop(l, -1.0, terms, &mut self.alone.0);
+        stretch.manipulated.of_loop(l, 1.0, terms, &mut self.alone.1);
         let segment = Segment {
             start: stretch.start[l],
             length: stretch.length[l],

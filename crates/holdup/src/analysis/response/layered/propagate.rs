@@ -15,7 +15,7 @@ use super::super::solver::{CELL_BUDGET, SETTLED, merged_events};
 use super::super::system::{Rest, System};
 use super::lanes::{Lanes, MOST, Set, agreed};
 use super::signal::LAYER_TERMS;
-use super::signals::{End, Signals};
+use super::signals::{End, Signals, Sizes};
 use super::states::{combine, solve};
 use super::tables::INVERSE;
 use super::together::Together;
@@ -43,10 +43,12 @@ pub(super) struct Stretch<'a, V: Lanes> {
     pub(super) terms: usize,
     /// Where it ends on the layers' axis.
     pub(super) end: &'a End<V>,
-    /// Control error.
-    pub(super) error: &'a Signals<V>,
+    /// Controlled variable less setpoint: the control error with its sign turned.
+    pub(super) deviation: &'a Signals<V>,
+    pub(super) deviation_sizes: Sizes<V>,
     /// Controller output.
     pub(super) manipulated: &'a Signals<V>,
+    pub(super) manipulated_sizes: Sizes<V>,
     /// Load estimate of the observer.
     pub(super) load_estimate: Option<&'a Signals<V>>,
 }
@@ -88,10 +90,11 @@ pub(super) struct Propagation<'a, V: Lanes> {
     floor: f64,
     /// Signals of the segment at hand: the states.
     signals: Vec<Signals<V>>,
+    /// Bounds on states and inputs over the segment at hand.
+    sizes: Vec<Sizes<V>>,
     end: End<V>,
     /// Storage.
     drive: Signals<V>,
-    error: Signals<V>,
     manipulated: Signals<V>,
     load_estimate: Signals<V>,
 }
@@ -118,9 +121,9 @@ impl<'a, V: Lanes> Propagation<'a, V> {
             quiet: zero.like(f64::INFINITY),
             floor: 0.0,
             signals: vec![Signals::zero(token); n],
+            sizes: vec![Sizes { swing: zero, layer: zero }; n + inputs],
             end: End::new(token),
             drive: Signals::zero(token),
-            error: Signals::zero(token),
             manipulated: Signals::zero(token),
             load_estimate: Signals::zero(token),
         };
@@ -217,7 +220,7 @@ impl<'a, V: Lanes> Propagation<'a, V> {
             spare.clear(0);
         }
         self.end.move_to(room, 0);
-        self.watched(room, 0, &[]);
+        self.watched(0, &[]);
         self.show(room, 0, watch);
         self.advance(room);
         self.quiet = zero.like(f64::INFINITY);
@@ -288,26 +291,23 @@ impl<'a, V: Lanes> Propagation<'a, V> {
             combine(input, row, &self.signals, delayed, terms);
         }
         self.end.move_to(plan.rate * length, terms);
-        self.watched(length, terms, delayed);
+        self.watched(terms, delayed);
     }
 
-    /// What is shown of the segment over which `delayed` comes out and whose inputs are in `spare`.
+    /// What else is shown of the segment over which `delayed` comes out and whose inputs are in `spare`, and how large all is.
     #[inline(always)]
-    fn watched(&mut self, length: V, terms: usize, delayed: &[Signals<V>]) {
+    fn watched(&mut self, terms: usize, delayed: &[Signals<V>]) {
         let (plan, system) = (self.plan, self.systems[0]);
-        let rests = &self.rests;
-        let rest = |of: fn(&Rest) -> f64| V::from_fn(length.token(), |l| of(&rests[l]));
-        self.error.assign(length.like(-1.0), &self.signals[system.output], terms);
-        self.error.smooth[0] += rest(|rest| rest.error);
-        if system.input_is_manipulated {
-            self.manipulated.assign(length.like(1.0), &self.spare[0], terms);
-        } else {
+        if !system.input_is_manipulated {
             combine(&mut self.manipulated, &plan.manipulated, &self.signals, delayed, terms);
         }
-        self.manipulated.smooth[0] += rest(|rest| rest.manipulated);
         if let Some(row) = &plan.load_estimate {
             combine(&mut self.load_estimate, row, &self.signals, delayed, terms);
-            self.load_estimate.smooth[0] += rest(|rest| rest.load_estimate);
+        }
+        self.manipulated.fill(terms);
+        for (sizes, signal) in self.sizes.iter_mut().zip(self.signals.iter_mut().chain(&mut self.spare)) {
+            signal.fill(terms);
+            *sizes = signal.sizes(terms);
         }
     }
 
@@ -315,7 +315,7 @@ impl<'a, V: Lanes> Propagation<'a, V> {
     /// does not hold.
     #[inline(always)]
     fn settle(&mut self, length: V, terms: usize) -> Option<usize> {
-        let quiet = self.judge(length, terms)?;
+        let quiet = self.judge(length)?;
         let kept = self.cut(terms)?;
         let zero = length.like(0.0);
         for (state, signal) in self.states.iter_mut().zip(&self.signals) {
@@ -328,12 +328,12 @@ impl<'a, V: Lanes> Propagation<'a, V> {
 
     /// Which loops hardly move; `None` where numbers leave their range or the expansion does not hold.
     #[inline(always)]
-    fn judge(&mut self, length: V, terms: usize) -> Option<Set> {
+    fn judge(&mut self, length: V) -> Option<Set> {
         let amplification = amplification((length * self.plan.rate * 0.5).smallest());
         let mut quiet = V::every();
-        for (signal, scale) in self.signals.iter().chain(&self.spare).zip(&mut self.scales) {
-            let (smooth, layer) = signal.sizes(terms);
-            let size = smooth + layer;
+        let signals = self.signals.iter().chain(&self.spare);
+        for ((signal, sizes), scale) in signals.zip(&self.sizes).zip(&mut self.scales) {
+            let size = signal.smooth[0].abs() + sizes.swing + sizes.layer;
             let mut tail = size.like(0.0);
             for c in signal.smooth[..signal.order].iter().skip(TERMS - 2) {
                 tail += c.abs();
@@ -358,13 +358,13 @@ impl<'a, V: Lanes> Propagation<'a, V> {
     #[inline(always)]
     fn cut(&mut self, terms: usize) -> Option<usize> {
         let mut kept = 0;
-        let scales = &self.scales[self.plan.states.len()..];
-        for ((signal, value), scale) in self.spare.iter_mut().zip(&mut self.values).zip(scales) {
+        let states = self.plan.states.len();
+        let known = self.scales[states..].iter().zip(&self.sizes[states..]);
+        for ((signal, value), (scale, sizes)) in self.spare.iter_mut().zip(&mut self.values).zip(known) {
             let (start, end) = signal.smooth_ends();
             let first = if terms > 0 { start + signal.layer[0] } else { start };
             *value = value.max(first.abs()).max(end.abs());
-            let layer = signal.sizes(terms).1;
-            if !layer.all_at_most(*value * CANCELLATION) {
+            if !sizes.layer.all_at_most(*value * CANCELLATION) {
                 return None;
             }
             let counts = |c: &V, part: f64| !c.abs().all_at_most(*scale * part);
@@ -380,6 +380,23 @@ impl<'a, V: Lanes> Propagation<'a, V> {
     /// Shows the segment at hand.
     #[inline(always)]
     fn show(&mut self, length: V, terms: usize, watch: &mut impl Follow<V>) {
+        let (output, states) = (self.systems[0].output, self.plan.states.len());
+        let rests = &self.rests;
+        let rest = |of: fn(&Rest) -> f64| V::from_fn(length.token(), |l| of(&rests[l]));
+        let sizes_of_own =
+            self.manipulated.sizes(if self.systems[0].input_is_manipulated { 0 } else { terms });
+        let (manipulated, manipulated_sizes) = if self.systems[0].input_is_manipulated {
+            (&mut self.spare[0], self.sizes[states])
+        } else {
+            (&mut self.manipulated, sizes_of_own)
+        };
+        // States and inputs are deviations from rest: what is shown is not, and they go on as they were.
+        let (state, input) = (self.signals[output].smooth[0], manipulated.smooth[0]);
+        self.signals[output].smooth[0] = state - rest(|rest| rest.error);
+        manipulated.smooth[0] = input + rest(|rest| rest.manipulated);
+        if self.plan.load_estimate.is_some() {
+            self.load_estimate.smooth[0] += rest(|rest| rest.load_estimate);
+        }
         watch.stretch(&Stretch {
             start: V::from_fn(length.token(), |l| self.now[l].seconds()),
             length,
@@ -387,10 +404,14 @@ impl<'a, V: Lanes> Propagation<'a, V> {
             rate: self.plan.rate,
             terms,
             end: &self.end,
-            error: &self.error,
-            manipulated: &self.manipulated,
+            deviation: &self.signals[output],
+            deviation_sizes: self.sizes[output],
+            manipulated,
+            manipulated_sizes,
             load_estimate: self.plan.load_estimate.as_ref().map(|_| &self.load_estimate),
         });
+        manipulated.smooth[0] = input;
+        self.signals[output].smooth[0] = state;
     }
 }
 

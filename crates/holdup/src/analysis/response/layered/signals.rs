@@ -5,16 +5,34 @@ use super::lanes::Lanes;
 use super::signal::{LAYER_TERMS, Signal, decay};
 use super::tables::INVERSE;
 
+/// Coefficients are summed in blocks of so many, in chains that do not wait for each other.
+pub(super) const BLOCK: usize = 4;
+
+/// The number of coefficients in whole blocks.
+#[inline(always)]
+pub(super) fn in_blocks(terms: usize) -> usize {
+    terms.next_multiple_of(BLOCK)
+}
+
 /// What [`Signal`] is, for each of some loops.
 #[derive(Clone)]
 #[repr(align(64))]
 pub(super) struct Signals<V: Lanes> {
-    /// Powers of s; beyond [`order`](Self::order) they mean nothing.
+    /// Powers of s; beyond [`order`](Self::order) they mean nothing, but zeros fill the last block of what is shown.
     pub(super) smooth: [V; TERMS],
-    /// Coefficients of θ^j/j!; beyond the segment's terms they mean nothing.
+    /// Coefficients of θ^j/j!; beyond the segment's terms they mean nothing, as the powers of s.
     pub(super) layer: [V; LAYER_TERMS],
     /// Number of smooth coefficients, at least 1.
     pub(super) order: usize,
+}
+
+/// Bounds on the magnitude of signals.
+#[derive(Clone, Copy)]
+pub(super) struct Sizes<V> {
+    /// Of the smooth part without its coefficient 0.
+    pub(super) swing: V,
+    /// Of the layer: no `e^(−θ)·θ^j/j!` exceeds 1.
+    pub(super) layer: V,
 }
 
 impl<V: Lanes> Signals<V> {
@@ -60,11 +78,34 @@ impl<V: Lanes> Signals<V> {
         }
     }
 
-    /// Bounds on the magnitude of the smooth part and of the layer: no `e^(−θ)·θ^j/j!` exceeds 1.
+    /// Fills the last blocks with zeros.
     #[inline(always)]
-    pub(super) fn sizes(&self, terms: usize) -> (V, V) {
+    pub(super) fn fill(&mut self, terms: usize) {
         let zero = self.smooth[0].like(0.0);
-        (magnitude(&self.smooth[..self.order], zero), magnitude(&self.layer[..terms], zero))
+        self.smooth[self.order..in_blocks(self.order)].fill(zero);
+        self.layer[terms..in_blocks(terms)].fill(zero);
+    }
+
+    /// All blocks of powers of s.
+    #[inline(always)]
+    pub(super) fn smooth_blocks(&self) -> &[V] {
+        &self.smooth[..in_blocks(self.order)]
+    }
+
+    /// All blocks of a layer of so many terms.
+    #[inline(always)]
+    pub(super) fn layer_blocks(&self, terms: usize) -> &[V] {
+        &self.layer[..in_blocks(terms)]
+    }
+
+    /// Bounds on the magnitude of a signal whose last blocks are filled.
+    #[inline(always)]
+    pub(super) fn sizes(&self, terms: usize) -> Sizes<V> {
+        let zero = self.smooth[0].like(0.0);
+        let (blocks, _) = self.smooth_blocks().as_chunks();
+        let swing =
+            magnitude([zero, blocks[0][1].abs(), blocks[0][2].abs(), blocks[0][3].abs()], &blocks[1..]);
+        Sizes { swing, layer: magnitude([zero; BLOCK], self.layer_blocks(terms).as_chunks().0) }
     }
 
     /// Values of the smooth part at both ends.
@@ -83,15 +124,15 @@ impl<V: Lanes> Signals<V> {
         (even - odd, even + odd)
     }
 
-    /// The signal of one loop.
+    /// The signal of one loop, times `factor`.
     #[inline(always)]
-    pub(super) fn of_loop(&self, l: usize, terms: usize, signal: &mut Signal) {
+    pub(super) fn of_loop(&self, l: usize, factor: f64, terms: usize, signal: &mut Signal) {
         *signal = Signal::ZERO;
         for (c, lanes) in signal.smooth.iter_mut().zip(&self.smooth[..self.order]) {
-            *c = lanes[l];
+            *c = factor * lanes[l];
         }
         for (q, lanes) in signal.layer.iter_mut().zip(&self.layer[..terms]) {
-            *q = lanes[l];
+            *q = factor * lanes[l];
         }
     }
 
@@ -101,23 +142,18 @@ impl<V: Lanes> Signals<V> {
         let mut second = self.clone();
         restrict(&mut self.smooth[..second.order], s.like(-1.0), s);
         restrict(&mut second.smooth[..self.order], s, s.like(1.0));
-        end.shift(&mut second.layer[..terms]);
+        second.layer = end.shifted(&second.layer, terms);
         second
     }
 }
 
-/// Sum of magnitudes, in four chains.
+/// Sum of these numbers and of the magnitudes in the blocks.
 #[inline(always)]
-pub(super) fn magnitude<V: Lanes>(list: &[V], zero: V) -> V {
-    let mut sums = [zero; 4];
-    let (fours, rest) = list.as_chunks::<4>();
-    for four in fours {
-        for k in 0..4 {
-            sums[k] += four[k].abs();
+fn magnitude<V: Lanes>(mut sums: [V; BLOCK], blocks: &[[V; BLOCK]]) -> V {
+    for block in blocks {
+        for k in 0..BLOCK {
+            sums[k] += block[k].abs();
         }
-    }
-    for (sum, c) in sums.iter_mut().zip(rest) {
-        *sum += c.abs();
     }
     (sums[0] + sums[1]) + (sums[2] + sums[3])
 }
@@ -192,17 +228,21 @@ impl<V: Lanes> End<V> {
         bound
     }
 
-    /// Coefficients of a layer about this point: `q_j → e^(−θ)·Σ q_(j+i)·θ^i/i!`.
+    /// Coefficients of a layer of so many terms about this point: `q_j → e^(−θ)·Σ q_(j+i)·θ^i/i!`.
     #[inline(always)]
-    pub(super) fn shift(&self, layer: &mut [V]) {
-        for j in 0..layer.len() {
-            let zero = layer[j].like(0.0);
-            layer[j] = self.value(&layer[j..], zero);
+    pub(super) fn shifted(&self, layer: &[V; LAYER_TERMS], terms: usize) -> [V; LAYER_TERMS] {
+        let zero = layer[0].like(0.0);
+        let mut shifted = [zero; LAYER_TERMS];
+        shifted[..terms].copy_from_slice(&layer[..terms]);
+        for j in 0..terms {
+            let to = LAYER_TERMS.min(j + in_blocks(terms - j));
+            shifted[j] = self.value(&shifted[j..to], zero);
         }
+        shifted
     }
 }
 
-/// Sum of products, in four chains.
+/// Sum of products.
 #[inline(always)]
 fn dot<V: Lanes>(list: &[V], others: &[V], zero: V) -> V {
     in_chains(
@@ -213,23 +253,23 @@ fn dot<V: Lanes>(list: &[V], others: &[V], zero: V) -> V {
     )
 }
 
-/// The sum over pairs, each added by `plus`, in four chains; there may be more of the second than of the first.
+/// The sum over pairs, each added by `plus`, block by block; there may be more of the second than of the first.
 #[inline(always)]
 pub(super) fn in_chains<V: Lanes, W>(
     (list, others): (&[V], &[W]),
     zero: V,
     plus: impl Fn(V, &W, V) -> V,
 ) -> V {
-    let mut sums = [zero; 4];
-    let (fours, rest) = list.as_chunks::<4>();
-    let (other_fours, _) = others.as_chunks::<4>();
-    for (four, others) in fours.iter().zip(other_fours) {
-        for k in 0..4 {
-            sums[k] = plus(four[k], &others[k], sums[k]);
+    let mut sums = [zero; BLOCK];
+    let (blocks, rest) = list.as_chunks::<BLOCK>();
+    let (other_blocks, _) = others.as_chunks::<BLOCK>();
+    for (block, others) in blocks.iter().zip(other_blocks) {
+        for k in 0..BLOCK {
+            sums[k] = plus(block[k], &others[k], sums[k]);
         }
     }
     for (k, c) in rest.iter().enumerate() {
-        sums[k] = plus(*c, &others[4 * fours.len() + k], sums[k]);
+        sums[k] = plus(*c, &others[BLOCK * blocks.len() + k], sums[k]);
     }
     (sums[0] + sums[1]) + (sums[2] + sums[3])
 }
@@ -256,7 +296,7 @@ mod tests {
             let second = first.split(One(at), &end, 12);
             let of = |signals: &Signals<One>| {
                 let mut signal = Signal::ZERO;
-                signals.of_loop(0, 12, &mut signal);
+                signals.of_loop(0, 1.0, 12, &mut signal);
                 signal
             };
             let (whole, first, second) = (of(&signals), of(&first), of(&second));

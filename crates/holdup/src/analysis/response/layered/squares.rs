@@ -1,12 +1,14 @@
 //! `∫e²` and `∫u²` of several loops over a stretch, in closed form.
 
+use std::ops::Range;
+
 use super::super::legendre::{Poly, TERMS};
 use super::integrals::ROUNDING;
 use super::lanes::{Lanes, Set};
 use super::propagate::Stretch;
 use super::signal::LAYER_TERMS;
-use super::signals::{End, Signals, in_chains};
-use super::tables::{INVERSE, TABLES};
+use super::signals::{BLOCK, Signals, Sizes, in_chains};
+use super::tables::{Points, TABLES};
 
 /// Sums of several loops, and the loops for which they are decided.
 pub(super) type Decided<T> = (T, Set);
@@ -16,7 +18,10 @@ pub(super) fn squares<V: Lanes>(stretch: &Stretch<'_, V>, so_far: (V, V)) -> (De
     V::widest(
         stretch.length.token(),
         #[inline(always)]
-        || (square(stretch, stretch.error, so_far.0), square(stretch, stretch.manipulated, so_far.1)),
+        || {
+            let errors = square(stretch, (stretch.deviation, stretch.deviation_sizes), so_far.0);
+            (errors, square(stretch, (stretch.manipulated, stretch.manipulated_sizes), so_far.1))
+        },
     )
 }
 
@@ -24,10 +29,10 @@ pub(super) fn squares<V: Lanes>(stretch: &Stretch<'_, V>, so_far: (V, V)) -> (De
 ///
 /// What a layer that lasts longer than the stretch adds beyond it is taken away again.
 #[inline(always)]
-fn square<V: Lanes>(stretch: &Stretch<'_, V>, x: &Signals<V>, so_far: V) -> Decided<V> {
-    let smooth = smooth_square(&x.smooth[..x.order]) * stretch.length;
-    let layer = &x.layer[..stretch.terms];
-    let (smooth_size, size) = x.sizes(stretch.terms);
+fn square<V: Lanes>(stretch: &Stretch<'_, V>, (x, sizes): (&Signals<V>, Sizes<V>), so_far: V) -> Decided<V> {
+    let smooth = smooth_square(x.smooth_blocks()) * stretch.length;
+    let layer = x.layer_blocks(stretch.terms);
+    let (smooth_size, size) = (sizes.swing + x.smooth[0].abs(), sizes.layer);
     if size.largest() <= 0.0 {
         return (smooth, V::every());
     }
@@ -37,10 +42,13 @@ fn square<V: Lanes>(stretch: &Stretch<'_, V>, x: &Signals<V>, so_far: V) -> Deci
     let mut decided = V::every();
     let left = stretch.end.area(layer, size.like(0.0));
     let ended = (left * (smooth_size + size) * 2.0).all_at_most(floor);
-    let later = (!ended).then(|| shifted(stretch.end, layer));
+    let later = (!ended).then(
+        #[inline(always)]
+        || stretch.end.shifted(&x.layer, stretch.terms),
+    );
     let later = later.as_ref().map(|later| &later[..layer.len()]);
     if !(size * smooth_size * 2.0).all_at_most(floor) {
-        let p = &x.smooth[..x.order];
+        let p = (x.smooth_blocks(), x.order);
         let per_theta = inverse * 2.0 / stretch.length;
         let (mut product, mut converged) = product_sum(p, &TABLES.at_start, layer, per_theta, floor);
         if let Some(later) = later {
@@ -61,35 +69,39 @@ fn square<V: Lanes>(stretch: &Stretch<'_, V>, x: &Signals<V>, so_far: V) -> Deci
     (sum, decided)
 }
 
-/// A layer about the end of the stretch.
-#[inline(always)]
-pub(super) fn shifted<V: Lanes>(end: &End<V>, layer: &[V]) -> [V; LAYER_TERMS] {
-    let mut later = [layer[0]; LAYER_TERMS];
-    later[..layer.len()].copy_from_slice(layer);
-    end.shift(&mut later[..layer.len()]);
-    later
-}
-
-/// Half of `∫p²` over s.
+/// Half of `∫p²` over s, by the Gauss points that make it exact.
 #[inline(always)]
 fn smooth_square<V: Lanes>(p: &[V]) -> V {
-    // Coefficient k of p², for even k, is a sum over pairs of coefficients whose numbers add up to k.
-    let mut sum = p[0].like(0.0);
-    for half in 0..p.len() {
-        let mut pairs = p[half] * p[half] * 0.5;
-        for apart in 1..=half.min(p.len() - 1 - half) {
-            pairs = p[half - apart].times_plus(p[half + apart], pairs);
-        }
-        sum = pairs.scaled_plus(2.0 * INVERSE[2 * half + 1], sum);
+    if p.len() <= 16 {
+        return at_points(p, &TABLES.sixteen);
     }
-    sum
+    at_points(p, &TABLES.twenty_four[0]) + at_points(p, &TABLES.twenty_four[1])
+}
+
+/// Sum over pairs of points, to both sides of the middle, of weight times `p²`.
+#[inline(always)]
+fn at_points<V: Lanes, const N: usize>(p: &[V], points: &Points<N>) -> V {
+    let zero = p[0].like(0.0);
+    let (mut even, mut odd) = ([zero; N], [zero; N]);
+    for [c, next] in p.as_chunks::<2>().0.iter().rev() {
+        for k in 0..N {
+            even[k] = even[k].scaled_plus(points.squares[k], *c);
+            odd[k] = odd[k].scaled_plus(points.squares[k], *next);
+        }
+    }
+    let mut sums = [zero; 2];
+    for k in 0..N {
+        let square = (odd[k] * odd[k]).scaled_plus(points.squares[k], even[k] * even[k]);
+        sums[k % 2] = square.scaled_plus(points.weights[k], sums[k % 2]);
+    }
+    sums[0] + sums[1]
 }
 
 /// `∫ smooth·layer dθ` from an end on, where the smooth part has these derivatives, and for which loops that sum has
 /// converged.
 #[inline(always)]
 fn product_sum<V: Lanes>(
-    smooth: &[V],
+    (smooth, order): (&[V], usize),
     derivatives: &[Poly; TERMS],
     layer: &[V],
     per_theta: V,
@@ -99,21 +111,24 @@ fn product_sum<V: Lanes>(
     let (mut sum, mut before, mut size) =
         (floor.like(0.0), floor.like(f64::INFINITY), floor.like(f64::INFINITY));
     let mut converged = Set::NONE;
-    for (i, (row, moments)) in derivatives.iter().zip(&TABLES.moments).enumerate().take(smooth.len()) {
-        let derivative = dot(&smooth[i..], &row[i..], floor);
-        let moment = dot(layer, moments, floor);
-        let term = scale * derivative * moment;
-        sum += term;
-        (before, size) = (size, term.abs());
+    for i in (0..order).step_by(BLOCK) {
+        // Of lower powers nothing is left in these derivatives.
+        let derivatives = dots(&smooth[i..], four(&derivatives[i..], i..TERMS), floor);
+        let moments = dots(layer, four(&TABLES.moments[i..], 0..LAYER_TERMS), floor);
+        for k in 0..BLOCK.min(order - i) {
+            let term = scale * derivatives[k] * moments[k];
+            sum += term;
+            (before, size) = (size, term.abs());
+            scale = scale * per_theta;
+        }
         let enough = (sum.abs() * ROUNDING).max(floor);
         converged = size.at_most(enough) & before.at_most(enough);
         if converged == V::every() {
             break;
         }
-        scale = scale * per_theta;
     }
     // The series of a short polynomial ends by itself; what was cut off it is less than its last term where terms fall.
-    if smooth.len() < TERMS - 1 {
+    if order < TERMS - 1 {
         converged = converged | size.at_most(before);
     }
     (sum, converged)
@@ -123,19 +138,52 @@ fn product_sum<V: Lanes>(
 #[inline(always)]
 fn square_sum<V: Lanes>(layer: &[V], size: V, floor: V) -> V {
     let mut sum = size.like(0.0);
-    for (j, q) in layer.iter().enumerate() {
+    for (block, own) in layer.as_chunks::<BLOCK>().0.iter().enumerate() {
         // Coefficients of the product are at most 1/2.
-        if (*q * size).abs().all_at_most(floor) {
+        let most = own[0].abs().max(own[1].abs()).max(own[2].abs().max(own[3].abs()));
+        if (most * size).all_at_most(floor) {
             continue;
         }
-        let row = &TABLES.squares[j];
-        let others = dot(&layer[..j], &row[..j], size);
-        sum = q.times_plus(q.scaled_plus(row[j], others * 2.0), sum);
+        let (from, to) = (block * BLOCK, (block + 1) * BLOCK);
+        let others = dots(&layer[..to], four(&TABLES.squares[from..], 0..to), size);
+        for k in 0..BLOCK {
+            sum = own[k].times_plus(others[k], sum);
+        }
     }
     sum
 }
 
-/// Sum of products with numbers, in four chains.
+/// These columns of the first four rows, block by block.
+#[inline(always)]
+fn four<const N: usize>(rows: &[[f64; N]], columns: Range<usize>) -> [&[[f64; BLOCK]]; BLOCK] {
+    let mut all = [&[][..]; BLOCK];
+    for k in 0..BLOCK {
+        all[k] = rows[k][columns.clone()].as_chunks().0;
+    }
+    all
+}
+
+/// Sums of products with numbers of several rows.
+#[inline(always)]
+fn dots<V: Lanes>(list: &[V], rows: [&[[f64; BLOCK]]; BLOCK], like: V) -> [V; BLOCK] {
+    let zero = like.like(0.0);
+    let (mut sums, mut others) = ([zero; BLOCK], [zero; BLOCK]);
+    for (index, block) in list.as_chunks::<BLOCK>().0.iter().enumerate() {
+        for k in 0..BLOCK {
+            let weights = &rows[k][index];
+            sums[k] = block[0].scaled_plus(weights[0], sums[k]);
+            others[k] = block[1].scaled_plus(weights[1], others[k]);
+            sums[k] = block[2].scaled_plus(weights[2], sums[k]);
+            others[k] = block[3].scaled_plus(weights[3], others[k]);
+        }
+    }
+    for k in 0..BLOCK {
+        sums[k] += others[k];
+    }
+    sums
+}
+
+/// Sum of products with numbers.
 #[inline(always)]
 pub(super) fn dot<V: Lanes>(list: &[V], weights: &[f64], like: V) -> V {
     in_chains(
@@ -145,6 +193,3 @@ pub(super) fn dot<V: Lanes>(list: &[V], weights: &[f64], like: V) -> V {
         |c, weight, sum| c.scaled_plus(*weight, sum),
     )
 }
-
-const _: () =
-    assert!(LAYER_TERMS + 1 == INVERSE.len() && 2 * TERMS <= INVERSE.len(), "INVERSE reaches far enough");

@@ -2,7 +2,7 @@
 
 use std::sync::LazyLock;
 
-use super::super::legendre::{Poly, TERMS, add, gauss};
+use super::super::legendre::{Poly, TERMS, add, gauss, gauss_rule};
 use super::signal::{LAYER_TERMS, Layer};
 
 /// `1/j`, and 0 for j = 0.
@@ -20,11 +20,29 @@ pub(in super::super) const INVERSE: [f64; LAYER_TERMS + 1] = {
 /// Points on the layer's axis between which one polynomial holds a layer, in most cases to rounding.
 pub(super) const EDGES: [f64; 11] = [0.0, 5.0, 12.0, 20.0, 30.0, 42.0, 58.0, 78.0, 104.0, 140.0, 190.0];
 
+/// Pairs of points to both sides of the middle, and the weights of half the integral over s.
+pub(super) struct Points<const N: usize> {
+    /// Squares of s.
+    pub(super) squares: [f64; N],
+    pub(super) weights: [f64; N],
+}
+
+impl<const N: usize> Points<N> {
+    /// Pairs of a Gauss rule, from pair `from` on, counted from the ends.
+    fn new(nodes: &[f64], weights: &[f64], from: usize) -> Self {
+        Self {
+            squares: std::array::from_fn(|k| nodes[from + k] * nodes[from + k]),
+            weights: std::array::from_fn(|k| weights[from + k]),
+        }
+    }
+}
+
 /// What integrals over layers are made of.
 pub(super) struct Tables {
     /// `C(i+j, i)`: `∫ e^(−θ)·θ^i/i!·θ^j/j! dθ` from 0 to ∞.
     pub(super) moments: [Layer; TERMS],
-    /// `C(i+j, i)/2^(i+j+1)`: the same with e^(−2θ).
+    /// `C(i+j, i)/2^(i+j+1)`, the same with e^(−2θ), for j = i, and twice that for j < i: what the square of a layer is the
+    /// sum of.
     pub(super) squares: [Layer; LAYER_TERMS],
     /// `i!·C(j, i)·(−1)^(j−i)`: what coefficient j of a smooth part adds to its i-th derivative at s = −1.
     pub(super) at_start: [Poly; TERMS],
@@ -33,6 +51,9 @@ pub(super) struct Tables {
     /// Half of `∫s^j` and of `∫s·s^j` from −1 to 1.
     pub(super) areas: Poly,
     pub(super) moments_about_middle: Poly,
+    /// Gauss rules: exact for squares of polynomials of as many terms.
+    pub(super) sixteen: Points<8>,
+    pub(super) twenty_four: [Points<6>; 2],
     /// Largest value of `e^(−θ)·θ^j/j!` from each edge on.
     pub(super) bounds: [Layer; EDGES.len()],
     /// Legendre series of `e^(−θ)·θ^j/j!` from each edge to the next.
@@ -54,7 +75,12 @@ pub(super) static TABLES: LazyLock<Box<Tables>> = LazyLock::new(|| {
         half_powers[n] = 0.5 * half_powers[n - 1];
     }
     let moments = std::array::from_fn(|i| std::array::from_fn(|j| binomial[i + j][i]));
-    let squares = std::array::from_fn(|i| std::array::from_fn(|j| binomial[i + j][i] * half_powers[i + j]));
+    let mut squares = [[0.0; LAYER_TERMS]; LAYER_TERMS];
+    for (i, row) in squares.iter_mut().enumerate() {
+        for (j, entry) in row[..=i].iter_mut().enumerate() {
+            *entry = binomial[i + j][i] * half_powers[i + j] * if j < i { 2.0 } else { 1.0 };
+        }
+    }
     let mut factorial = 1.0;
     let mut number = 0.0;
     let mut at_start = [[0.0; TERMS]; TERMS];
@@ -79,7 +105,10 @@ pub(super) static TABLES: LazyLock<Box<Tables>> = LazyLock::new(|| {
         }
         weights
     });
-    let (all_nodes, _, transform) = gauss();
+    let (all_nodes, all_weights, transform) = gauss();
+    let (nodes, weights) = gauss_rule::<16>();
+    let sixteen = Points::new(&nodes, &weights, 0);
+    let twenty_four = [0, 6].map(|from| Points::new(&all_nodes, &all_weights, from));
     let piece = |i: usize| (0.5 * (EDGES[i] + EDGES[i + 1]), 0.5 * (EDGES[i + 1] - EDGES[i]));
     let mut layers = [[[0.0; TERMS]; LAYER_TERMS]; EDGES.len() - 1];
     let mut powers = [[[0.0; TERMS]; TERMS]; EDGES.len() - 1];
@@ -108,6 +137,8 @@ pub(super) static TABLES: LazyLock<Box<Tables>> = LazyLock::new(|| {
         at_end,
         areas,
         moments_about_middle,
+        sixteen,
+        twenty_four,
         bounds,
         layers,
         powers,

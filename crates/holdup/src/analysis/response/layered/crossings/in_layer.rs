@@ -3,18 +3,19 @@
 use super::super::super::legendre::TERMS;
 use super::super::lanes::{Lanes, Set};
 use super::super::propagate::Stretch;
+use super::super::signals::BLOCK;
 use super::super::squares::dot;
 use super::super::tables::{INVERSE, TABLES};
 
 /// Coefficients after which it is asked again whether there can be another change of sign.
-const BLOCK: usize = 16;
-const BLOCK_LENGTH: f64 = 16.0;
+const RUN: usize = 16;
+const RUN_LENGTH: f64 = 16.0;
 
 /// Loops with at most one root up to `over`, and with none: as many as the t_j change their sign, as far as these matter
 /// before `over`, where no rounding may hide a change.
 #[inline(always)]
 pub(super) fn roots_in_layer<V: Lanes>(stretch: &Stretch<'_, V>, over: f64) -> (Set, Set) {
-    let e = stretch.error;
+    let e = stretch.deviation;
     let zero = stretch.length.like(0.0);
     let per_theta = zero.like(2.0) / (stretch.rate * stretch.length);
     let mut differences = [zero; TERMS];
@@ -22,7 +23,8 @@ pub(super) fn roots_in_layer<V: Lanes>(stretch: &Stretch<'_, V>, over: f64) -> (
     let (mut power, mut used) = (1.0, 0);
     let mut largest = zero;
     for i in 0..e.order {
-        differences[i] = scale * dot(&e.smooth[i..e.order], &TABLES.at_start[i][i..], zero);
+        let from = i / BLOCK * BLOCK;
+        differences[i] = scale * dot(&e.smooth_blocks()[from..], &TABLES.at_start[i][from..], zero);
         used = i + 1;
         let size = differences[i].abs() * power;
         largest = largest.max(size);
@@ -50,10 +52,10 @@ pub(super) fn roots_in_layer<V: Lanes>(stretch: &Stretch<'_, V>, over: f64) -> (
             others = difference.abs().scaled_plus(power, others);
         }
         let steady = others.below(differences[0].abs()) == V::every();
-        for _ in 0..if steady { 1 } else { BLOCK } {
+        for _ in 0..if steady { 1 } else { RUN } {
             signs.next(zero, differences);
         }
-        beyond = if steady { 0.0 } else { beyond - BLOCK_LENGTH };
+        beyond = if steady { 0.0 } else { beyond - RUN_LENGTH };
     }
     let certain = zero.below(signs.least);
     (certain & !signs.twice, certain & !signs.once)

@@ -58,7 +58,7 @@ pub(super) fn crossings<V: Lanes>(
     layer_end: V,
     floor: V,
 ) -> Crossings<V> {
-    let e = stretch.error;
+    let e = stretch.deviation;
     let theta = stretch.rate * stretch.length;
     let slopes = Slopes::new(e, stretch.terms);
     let (start, end) = e.smooth_ends();
@@ -150,7 +150,7 @@ impl<V: Lanes> Slopes<V> {
 /// The root of these loops that is in the bracket.
 #[inline(always)]
 pub(super) fn root<V: Lanes>(stretch: &Stretch<'_, V>, terms: usize, of: Set, bracket: &Bracket<V>) -> V {
-    let e = stretch.error;
+    let e = stretch.deviation;
     let zero = stretch.length.like(0.0);
     let half_theta = stretch.rate * stretch.length * 0.5;
     let (mut low, mut high) = bracket.ends;

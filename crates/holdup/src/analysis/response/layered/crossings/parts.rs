@@ -24,7 +24,7 @@ impl<V: Lanes> Parts<V> {
     /// `fourth` is a bound on the fourth derivative of the smooth part by s.
     #[inline(always)]
     pub(super) fn new(stretch: &Stretch<'_, V>, fourth: V, (of, floor): (Set, V)) -> Self {
-        let e = stretch.error;
+        let e = stretch.deviation;
         let zero = fourth.like(0.0);
         let step = zero.like(2.0 / STEPS[PARTS]);
         let mut values = [zero; PARTS + 1];
