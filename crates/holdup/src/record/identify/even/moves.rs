@@ -12,19 +12,20 @@ pub(super) fn moves(input: &[f64]) -> Vec<Move> {
         #[inline(always)]
         || {
             let mut found = Vec::with_capacity(input.len() / 8);
-            let mut push = |row: usize| {
-                if input[row] != input[row - 1] {
-                    found.push((row, input[row] - input[row - 1]));
-                }
-            };
+            let mut push = |row: usize| found.push((row, input[row] - input[row - 1]));
             let (before, _) = input.as_chunks::<LANES>();
             let (after, rest) = input[1..].as_chunks::<LANES>();
             for (k, (before, after)) in before.iter().zip(after).enumerate() {
-                if before != after {
-                    (k * LANES + 1..=(k + 1) * LANES).for_each(&mut push);
+                let mut changed = 0_u32;
+                for lane in 0..LANES {
+                    changed |= u32::from(before[lane] != after[lane]) << lane;
+                }
+                while changed != 0 {
+                    push(k * LANES + 1 + changed.trailing_zeros() as usize);
+                    changed &= changed - 1;
                 }
             }
-            (input.len() - rest.len()..input.len()).for_each(push);
+            (input.len() - rest.len()..input.len()).filter(|&row| input[row] != input[row - 1]).for_each(push);
             found
         },
     )

@@ -33,16 +33,18 @@ impl Own {
         let floor = SHOWN * squares;
         let mut places: Vec<Place> = Vec::with_capacity(delays + 1);
         // From delay to delay one value enters at the front of the window, one leaves at its end.
-        let ends = || integral[..delays].iter().zip(&integral[rows..rows + delays]).rev();
-        let nexts = ends().skip(1).chain([(&0.0, &0.0)]);
-        places.extend(ends().zip(nexts).map(|((enters, leaves), (next_enters, next_leaves))| {
-            let place = [sum, moment, squares, neighbour];
+        let (fronts, backs) = (&integral[..delays], &integral[rows..rows + delays]);
+        let (mut enters, mut leaves) = (fronts[delays - 1], backs[delays - 1]);
+        for k in (0..delays).rev() {
+            places.push([sum, moment, squares, neighbour]);
+            // The last place has no next one, and its product is not used.
+            let (next_enters, next_leaves) = (fronts[k.saturating_sub(1)], backs[k.saturating_sub(1)]);
             moment += sum - (leaves * (half + 1.0) + enters * half);
             sum += enters - leaves;
             squares += enters * enters - leaves * leaves;
             neighbour += enters * next_enters - leaves * next_leaves;
-            place
-        }));
+            (enters, leaves) = (next_enters, next_leaves);
+        }
         places.push([sum, moment, squares, 0.0]);
         let (squares, neighbour) = outside(&places, rows as f64);
         let change = change + (delays + 1) as f64 * (input[0] - mean).powi(2);
