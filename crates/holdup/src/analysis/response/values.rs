@@ -39,7 +39,7 @@ pub(super) struct Curve {
     /// Coefficients of the powers of θ; 0 where they do not count.
     layer: Layer,
     layer_terms: usize,
-    /// The layer is not seen from this time on [s].
+    /// The layer is not seen, and left out, from so long after the start on [s].
     over: f64,
 }
 
@@ -69,13 +69,7 @@ impl Curve {
         let seen = segment.layer_over(signal, UNSEEN);
         let (mut powers, terms) = (signal.smooth, significant(&signal.smooth, floor));
         powers[terms..].fill(0.0);
-        Self {
-            powers,
-            terms,
-            layer,
-            layer_terms,
-            over: segment.start + seen / segment.rate.max(f64::MIN_POSITIVE),
-        }
+        Self { powers, terms, layer, layer_terms, over: seen / segment.rate.max(f64::MIN_POSITIVE) }
     }
 
     /// `level − self`.
@@ -154,7 +148,7 @@ fn batch<S: Simd>(
         s[v] = since[v].mul_add(splat(simd, 2.0 / place.length), splat(simd, -1.0));
         squares[v] = s[v] * s[v];
     }
-    if curves.iter().all(|curve| times[0] >= curve.over) {
+    if curves.iter().all(|curve| curve.over <= times[0] - place.start) {
         for (index, curve) in curves.iter().enumerate() {
             each(index, horner(&curve.powers, curve.terms, s, squares));
         }
@@ -171,7 +165,9 @@ fn batch<S: Simd>(
         let mut sums = horner(&curve.powers, curve.terms, s, squares);
         let layer = horner(&curve.layer, curve.layer_terms, theta, squares_of_theta);
         for v in 0..VECTORS {
-            sums[v] = layer[v].mul_add(decayed[v], sums[v]);
+            // What one time is given does not depend on the others.
+            let seen = since[v].simd_lt(curve.over);
+            sums[v] = layer[v].mul_add(seen.select(decayed[v], splat(simd, 0.0)), sums[v]);
         }
         each(index, sums);
     }
@@ -237,6 +233,20 @@ mod tests {
                 // 1e-14: rounding of numbers of size 1 to 7.
                 assert!((value - exact).abs() < 1e-14 && (below - (7.0 - exact)).abs() < 1e-14, "{t}");
             }
+        }
+    }
+
+    #[test]
+    fn the_value_at_a_time_does_not_depend_on_the_other_times() {
+        let mut curve = Curve::of_cell(&interpolated(|s| 1.0 + s));
+        curve.layer[..3].copy_from_slice(&[0.5, -2.0, 1.5]);
+        (curve.layer_terms, curve.over) = (3, 0.8);
+        let (all, mut values) = (times(), vec![0.0; 77]);
+        evaluate(PLACE, std::slice::from_ref(&curve), &all, &mut [&mut values]);
+        for (t, expected) in all.iter().zip(values) {
+            let mut alone = [0.0];
+            evaluate(PLACE, std::slice::from_ref(&curve), &[*t], &mut [&mut alone]);
+            assert_eq!(alone, [expected], "{t}");
         }
     }
 

@@ -25,7 +25,9 @@ pub(super) fn moves(input: &[f64]) -> Vec<Move> {
                     changed &= changed - 1;
                 }
             }
-            (input.len() - rest.len()..input.len()).filter(|&row| input[row] != input[row - 1]).for_each(push);
+            (input.len() - rest.len()..input.len())
+                .filter(|&row| input[row] != input[row - 1])
+                .for_each(push);
             found
         },
     )
