@@ -3,7 +3,7 @@
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use holdup::analysis::frequency::family::Family;
+use holdup::analysis::frequency::family::{Family, Goal, worst_case};
 use holdup::analysis::frequency::margins;
 use holdup::analysis::infinite_horizon::{Input, to_infinity};
 use holdup::analysis::noise::{Noise, variance_gain};
@@ -173,6 +173,42 @@ fn the_largest_box_is_larger_than_that_of_a_rule_of_the_same_iae() {
     let of_rule = holdup::tuning::robust::largest_family(&normal(), &simc, &family, 2.0).unwrap().unwrap();
     assert!(1.0 / found.value >= of_rule.size * (1.0 - 1e-6), "{} {}", 1.0 / found.value, of_rule.size);
     assert!(found.load.unwrap().iae.unwrap() <= 16.0 * (1.0 + 1e-9));
+}
+
+#[test]
+fn the_largest_box_is_proven_and_no_neighbour_has_a_larger_one() {
+    let family = Family::ranges([0.8, 1.2], [0.8, 1.2]).unwrap();
+    let objective = Objective::RobustBox { family, sensitivity_peak: 1.6 };
+    let found = best(Structure::Pid, objective, &Limits::default().with(Quantity::LoadIae, 60.0));
+    assert_eq!(found.agreeing, found.starts);
+    // Found before, with every box of the search proven, in a hundred times the work: within 1e-6, its tolerance.
+    assert!(found.value < 0.272_030_868 * (1.0 + 1e-6), "{}", found.value);
+    let size = 1.0 / found.value;
+    let keeps = |size: f64| {
+        let family = family.scaled(size).unwrap();
+        worst_case(&normal(), &found.controller, &family, Goal::AtMost(1.6)).unwrap().stable
+    };
+    // Twice the distance from what is kept to what is not.
+    assert!(keeps(size) && !keeps(size * (1.0 + 4e-7)));
+    let controller = found.controller;
+    let (gain, ti, td) = (
+        controller.proportional_gain(),
+        controller.integral_time().unwrap(),
+        controller.derivative_time().unwrap(),
+    );
+    for (a, b, c) in [
+        (1.01, 1.0, 1.0),
+        (0.99, 1.0, 1.0),
+        (1.0, 1.01, 1.0),
+        (1.0, 0.99, 1.0),
+        (1.0, 1.0, 1.01),
+        (1.0, 1.0, 0.99),
+    ] {
+        let other = Controller::proportional(a * gain).unwrap().with_integral_time(Seconds(b * ti)).unwrap();
+        let other = other.with_derivative_time(Seconds(c * td)).unwrap();
+        // The proof's 1e-7 on either side.
+        assert!(objective.of(&normal(), &other).unwrap() > found.value * (1.0 - 3e-7), "{a} {b} {c}");
+    }
 }
 
 #[test]

@@ -162,6 +162,8 @@ pub(super) struct Design {
     pub(super) time: f64,
     /// Unit of gain, with its sign \[input/output unit\].
     pub(super) gain: f64,
+    /// Whether the size of a box is proven while it is searched.
+    pub(super) proving: bool,
 }
 
 impl Design {
@@ -172,7 +174,7 @@ impl Design {
         let gain = 1.0 / (process.process_gain() * time.powi(i32::from(process.integrators())));
         let mut variables = structure.variables(filter);
         variables.retain(|variable| of_setpoint || *variable != Variable::SetpointWeight);
-        Self { process: *process, structure, filter, variables, time, gain }
+        Self { process: *process, structure, filter, variables, time, gain, proving: false }
     }
 
     pub(super) fn weights_setpoint(&self) -> bool {

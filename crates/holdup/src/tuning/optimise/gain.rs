@@ -3,6 +3,7 @@
 use super::design::Design;
 use super::limits::{Limits, Quantity};
 use super::objective::{Objective, Transients};
+use super::widest::Widest;
 use crate::analysis::frequency::margins;
 use crate::model::{ClosedLoop, Controller};
 use crate::tuning::line::{Place, boundary, least};
@@ -22,7 +23,7 @@ const ROW: u32 = 40;
 /// Relative width within which a limit on the responses is reached.
 const REACHED: f64 = 1e-12;
 /// Limits exceeded by more, relative, are too far away for the value to matter.
-const FAR_OUTSIDE: f64 = 0.1;
+pub(super) const FAR_OUTSIDE: f64 = 0.1;
 /// A step down from the greatest gain that tells whether the value falls up to there.
 const BELOW: f64 = 1.0 - 1e-4;
 
@@ -31,7 +32,7 @@ const BELOW: f64 = 1.0 - 1e-4;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Precision {
     end: f64,
-    inside: f64,
+    pub(super) inside: f64,
 }
 
 /// While the whole space is swept, while the times are searched, and for the optimum.
@@ -178,14 +179,17 @@ impl<'a> Gains<'a> {
     /// The same next to a design whose best is known, where that helps: a fraction of the work.
     pub(super) fn best_near(&self, parts: &[f64], known: Option<Candidate>) -> Best {
         let Some(known) = known else { return self.best(parts) };
-        let found = if known.at_end || !known.keeps() {
-            self.end_near(parts, known)
+        let (end, reach) = (|| self.end_near(parts, known), || self.reach_near(parts, known));
+        let found = if self.sizes_boxes() && known.keeps() && !known.at_reach {
+            self.widest_near(parts, &known).map(Best::Of)
+        } else if known.at_end || !known.keeps() {
+            // Next to where two limits meet the other one may end the gains.
+            end().or_else(reach)
         } else if known.at_reach {
-            self.reach_near(parts, known)
+            reach().or_else(end)
         } else {
             self.minimum_near(parts, known)
         };
-
         found.unwrap_or_else(|| self.best(parts))
     }
 
@@ -231,19 +235,27 @@ impl<'a> Gains<'a> {
             let there = (next, self.spare(parts, next));
             if keeps != (there.1 >= 0.0) {
                 let (inside, outside) = if keeps { (here, there) } else { (there, here) };
-                let precision = (REACHED, 0.1 * KEPT);
-                let gain = boundary(inside, outside, precision, &mut |gain| self.spare(parts, gain));
-                let found = self.candidate(parts, gain).filter(Candidate::keeps)?;
+                let found = self.reached(parts, inside, outside)?;
+                let gain = found.gain;
                 // It must keep the margins, and the value fall towards the limit.
                 let inwards = if rising { gain / BELOW } else { gain * BELOW };
                 let falls = self.candidate(parts, inwards).is_none_or(|other| other.merit() > found.merit());
                 let kept = falls && self.slack(parts, gain) >= 0.0;
-                return kept.then_some(Best::Of(Candidate { at_reach: true, ..found }));
+                return kept.then_some(Best::Of(found));
             }
             here = there;
             factor *= factor;
         }
         None
+    }
+
+    /// Where a limit on the responses is reached, on the side that keeps it.
+    pub(super) fn reached(&self, parts: &[f64], inside: Place, outside: Place) -> Option<Candidate> {
+        let width = (1e-2 * self.precision.end).max(REACHED);
+        let precision = (width, 0.1 * KEPT.max(width));
+        let gain = boundary(inside, outside, precision, &mut |gain| self.spare(parts, gain));
+        let found = self.candidate(parts, gain).filter(Candidate::keeps)?;
+        Some(Candidate { at_reach: true, ..found })
     }
 
     /// A minimum inside of the interval, next to that of a neighbour.
@@ -314,6 +326,13 @@ impl<'a> Gains<'a> {
 
     /// The best gain of an interval, which is an end or a minimum inside, the value taken as having one.
     fn inside(&self, parts: &[f64], low: &dyn Fn() -> f64, high: f64) -> Option<Candidate> {
+        if self.sizes_boxes() {
+            match self.widest_between(parts, low(), high) {
+                Widest::Of(found) => return Some(found),
+                Widest::NoSize => return None,
+                Widest::NoneKept => {}
+            }
+        }
         let at = |gain: f64| self.candidate(parts, gain);
         let merit = |candidate: &Option<Candidate>| candidate.map_or(f64::INFINITY, |found| found.merit());
         let top = at(high).map(|found| Candidate { at_end: true, ..found });
@@ -377,19 +396,22 @@ impl<'a> Gains<'a> {
     pub(super) fn candidate(&self, parts: &[f64], gain: f64) -> Option<Candidate> {
         let controller = self.design.controller(parts, gain).ok()?;
         let transients = Transients::new(self.design, &controller);
+        let value = || self.objective.value(self.design, &controller, &transients);
+        // What costs less than a simulation, first.
+        let known = if self.sizes_boxes() { Some(value()?) } else { None };
         let excess = (-self.limits.spare(&transients)?).max(0.0);
         if excess > FAR_OUTSIDE && self.jumps() {
             // The response to the other step need not be followed.
             let value = OUTSIDE / PENALTY;
             return Some(Candidate { controller, gain, value, excess, at_end: false, at_reach: false });
         }
-        let value = self.objective.value(self.design, &controller, &transients)?;
+        let value = known.or_else(value)?;
         let found = Candidate { controller, gain, value, excess, at_end: false, at_reach: false };
         value.is_finite().then_some(found)
     }
 
     /// By how much a gain keeps every limit on an integral, relative.
-    fn spare(&self, parts: &[f64], gain: f64) -> f64 {
+    pub(super) fn spare(&self, parts: &[f64], gain: f64) -> f64 {
         let spare = self.design.controller(parts, gain).ok().and_then(|controller| {
             let transients = Transients::new(self.design, &controller);
             self.limits.spare(&transients)

@@ -3,10 +3,10 @@
 use std::fmt;
 
 use super::design::Design;
-use super::limits::{Limit, Limits};
+use super::limits::{Limit, Limits, Quantity};
 use super::objective::Objective;
 use super::progress::Progress;
-use super::search::find;
+use super::search::{Nothing, find};
 
 /// Limits that no controller of the structure keeps together.
 #[derive(Debug, Clone, PartialEq)]
@@ -48,10 +48,13 @@ fn rounded(value: f64, up: bool) -> f64 {
 }
 
 /// Why nothing was found.
-pub(super) fn conflict(design: &Design, limits: &Limits) -> Conflict {
+pub(super) fn conflict(design: &Design, limits: &Limits, known: Nothing) -> Conflict {
     let nearest = |limit: &Limit| {
+        if let (Quantity::SetpointSettlingTime, Nothing::Settles(known)) = (limit.quantity, known) {
+            return known;
+        }
         let others = limits.clone().without(limit.quantity);
-        let found = find(design, Objective::Extreme(limit.quantity), &others, &Progress::silent())?;
+        let found = find(design, Objective::Extreme(limit.quantity), &others, &Progress::silent()).ok()?;
         let value = found.best.value;
         Some(if limit.quantity.is_greatest() { value } else { -value })
     };

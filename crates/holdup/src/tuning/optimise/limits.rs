@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use super::gain::FAR_OUTSIDE;
 use super::objective::Transients;
 use crate::analysis::frequency::Margins;
 use crate::analysis::infinite_horizon::Input;
@@ -187,6 +188,12 @@ impl Limits {
     /// By how much a loop keeps every limit on its responses, relative and at most 1; `None` where one is infinite.
     pub(super) fn spare(&self, transients: &Transients<'_>) -> Option<f64> {
         let mut spare = 1.0_f64;
+        // Far outside the area says enough; slow responses, which take longest to follow, are told by it.
+        if let (Some(limit), Some(area)) = (self.of(Quantity::LoadIae), transients.load_area())
+            && area > limit * (1.0 + FAR_OUTSIDE)
+        {
+            return Some(1.0 - area / limit);
+        }
         for limit in &self.list {
             spare = spare.min(1.0 - limit.quantity.of_transients(transients)? / limit.value);
         }

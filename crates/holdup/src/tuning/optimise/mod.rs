@@ -24,6 +24,7 @@ mod simplex;
 pub mod table;
 mod task;
 mod trade_off;
+mod widest;
 
 pub use design::Structure;
 pub use filter::Filter;

@@ -6,7 +6,7 @@ use thiserror::Error;
 use super::design::{Design, Structure};
 use super::gain::{Candidate, Gains, OUTSIDE, POLISHED, SEARCHING, SWEEPING};
 use super::infeasible::Conflict;
-use super::limits::Limits;
+use super::limits::{Limits, Quantity};
 use super::objective::Objective;
 use super::progress::{self, Progress};
 use super::ridge;
@@ -20,6 +20,11 @@ use crate::model::{Controller, Process};
 const STARTS: usize = 2;
 /// The same where a limit jumps: there are as many minima as the response has swings.
 const STARTS_WITH_JUMPS: usize = 5;
+/// Those of them that lie about the best point of the sweep, a spacing of its points apart: the best may be all that the sweep
+/// has met of a narrow place.
+const NEAR_THE_BEST: usize = 3;
+/// Size of the simplex at the end of a search for how near a limit that jumps can be kept.
+const ROUGH: f64 = 2e-3;
 /// Rounds of searches: the second and later ones from where one ended apart from the best.
 const ROUNDS: u64 = 4;
 /// Points of the sweep over the whole space, for one variable and for more.
@@ -115,13 +120,22 @@ pub(super) struct Found {
     pub(super) least_swept: Option<f64>,
 }
 
+/// A search that found nothing.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Nothing {
+    /// No controller met keeps the limits.
+    Unkept,
+    /// The same; and the least settling time that the other limits allow, `None` where they exclude each other.
+    Settles(Option<f64>),
+}
+
 /// Sweeps, searches from the best points of the sweep and from others, and sweeps once more about what was found.
 pub(super) fn find(
     design: &Design,
     objective: Objective,
     limits: &Limits,
     progress: &Progress<'_>,
-) -> Option<Found> {
+) -> Result<Found, Nothing> {
     let count = design.variables.len();
     let with = |precision| Gains::new(design, objective, limits, precision);
     let (sweeping, searching, polish) = (with(SWEEPING), with(SEARCHING), with(POLISHED));
@@ -131,15 +145,43 @@ pub(super) fn find(
         _ => lattice(count, SWEEP),
     };
     let mut sweep = swept(&sweeping, points, progress);
-    let number = if searching.jumps() { STARTS_WITH_JUMPS } else { STARTS };
-    let starts = starts(&sweep, number + count);
+    let settling = Objective::Extreme(Quantity::SetpointSettlingTime);
+    let rough = objective == settling;
+    if let Some(limit) = limits.of(Quantity::SetpointSettlingTime)
+        && !sweep.iter().any(|point| point.keeps)
+    {
+        // Whether it can be kept at all is a question of its own, which has an answer sooner; and that is a start.
+        let others = limits.clone().without(Quantity::SetpointSettlingTime);
+        let nearest = find(design, settling, &others, &Progress::silent()).ok();
+        match nearest {
+            Some(found) if found.best.value <= limit => {
+                sweep.splice(0..0, swept(&sweeping, vec![found.parts], &Progress::silent()));
+            }
+            _ => {
+                let nearest = nearest.map(|found| found.best.value);
+                return Err(Nothing::Settles(nearest));
+            }
+        }
+    }
+    let starts = if searching.jumps() && count > 0 {
+        starts(&sweep, STARTS_WITH_JUMPS + count, NEAR_THE_BEST)
+    } else {
+        starts(&sweep, STARTS + count, 0)
+    };
     let share = progress::SEARCHES / (ROUNDS * starts.len() as u64).max(1);
     let mut ends: Vec<End> = starts
         .into_par_iter()
-        .map(|start| quickly_from(&searching, &start, FIRST, &mut progress.search(share)))
+        .map(|start| {
+            let mut watch = progress.search(share);
+            if rough {
+                roughly_from(&searching, &start, FIRST, ROUGH, &mut watch)
+            } else {
+                quickly_from(&searching, &start, FIRST, &mut watch)
+            }
+        })
         .collect();
     // One that ended apart from the best goes on from there: on kinks a search may end too early.
-    for _ in 1..ROUNDS {
+    for _ in 1..if rough { 1 } else { ROUNDS } {
         let best = ends.iter().map(End::value).fold(f64::INFINITY, f64::min);
         let apart = |end: &End| end.value() > best + AGREE * best.abs() && end.value() < OUTSIDE;
         ends = ends
@@ -156,29 +198,37 @@ pub(super) fn find(
     }
     let kept: Vec<&End> = ends.iter().filter(|end| end.best.is_some()).collect();
     // Where none keeps the limits, the search goes on from the one that comes nearest.
-    let mut end =
-        (*kept.iter().copied().chain(&ends).min_by(|a, b| a.value().total_cmp(&b.value()))?).clone();
+    let nearest = kept.iter().copied().chain(&ends).min_by(|a, b| a.value().total_cmp(&b.value()));
+    let mut end = nearest.ok_or(Nothing::Unkept)?.clone();
     // What is found about the optimum is better only where the search ended too early: then it goes on from there.
-    for size in [LAST, AGAIN, AGAIN] {
+    let mut sizes = [LAST, AGAIN, AGAIN].into_iter().peekable();
+    while let Some(size) = sizes.next() {
         let mut watch = progress.search(progress::END / 4);
-        let next = search_from(&polish, &end.parts, size, FINEST, &mut watch);
+        let next = if rough {
+            roughly_from(&polish, &end.parts, AGAIN, LAST * ROUGH, &mut watch)
+        } else {
+            search_from(&polish, &end.parts, size, FINEST, &mut watch)
+        };
         drop(watch);
         if next.value() < end.value() {
             end = next;
         }
         let about = swept(&sweeping, about(&end.parts), &Progress::silent());
-        let better = about.first().filter(|point| point.1 < end.value() - AGREE * end.value().abs()).cloned();
+        let enough = end.value() - AGREE * end.value().abs();
+        let better = about.first().filter(|point| point.merit < enough).cloned();
         sweep.extend(about);
         match better {
-            Some(point) => end = End { parts: point.0, best: None, merit: point.1, fixed: false },
-            None => break,
+            Some(point) if sizes.peek().is_some() => {
+                end = End { parts: point.parts, best: None, merit: point.merit, fixed: false }
+            }
+            _ => break,
         }
     }
-    let best = end.best?;
+    let best = end.best.ok_or(Nothing::Unkept)?;
     let least = best.value + AGREE * best.value.abs();
     let agreeing = kept.iter().filter(|end| end.value() <= least).count();
-    let least_swept = sweep.iter().map(|point| point.1).min_by(f64::total_cmp);
-    Some(Found {
+    let least_swept = sweep.iter().map(|point| point.merit).min_by(f64::total_cmp);
+    Ok(Found {
         best,
         parts: end.parts,
         starts: kept.len(),
@@ -247,6 +297,23 @@ pub(super) fn quickly_from(
     search_from(gains, &near, size, SEARCHED, watch)
 }
 
+/// The local search by a simplex alone.
+fn roughly_from(
+    gains: &Gains<'_>,
+    start: &[f64],
+    size: f64,
+    finest: f64,
+    watch: &mut progress::Search<'_>,
+) -> End {
+    let mut search = Search::new(gains, watch);
+    let last = match start.len() {
+        0 => (Vec::new(), search.value(start)),
+        1 => minimise(start, size, finest, &mut |parts| search.value(parts)),
+        _ => simplex(start, size, finest, &mut |parts| search.value(parts)),
+    };
+    search.end(last)
+}
+
 /// The value of designs on the way of a search, each from the gain of the one before it. The least merit may lie a rounding
 /// outside of the limits: what counts is the best that keeps them.
 struct Search<'a, 'b> {
@@ -291,16 +358,25 @@ impl<'a, 'b> Search<'a, 'b> {
     }
 }
 
-/// These points with their merit, the best first.
-fn swept(gains: &Gains<'_>, points: Vec<Vec<f64>>, progress: &Progress<'_>) -> Vec<(Vec<f64>, f64)> {
+/// A point of a sweep with its best gain.
+#[derive(Debug, Clone)]
+struct Swept {
+    parts: Vec<f64>,
+    merit: f64,
+    keeps: bool,
+}
+
+/// These points, the best first.
+fn swept(gains: &Gains<'_>, points: Vec<Vec<f64>>, progress: &Progress<'_>) -> Vec<Swept> {
     let share = progress::SWEEP / (points.len() as u64).max(1);
     let at = |parts: Vec<f64>| {
-        let merit = gains.best(&parts).merit();
+        let best = gains.best(&parts);
         progress.add(share);
-        (parts, merit)
+        let keeps = best.candidate().is_some_and(|found| found.keeps());
+        Swept { parts, merit: best.merit(), keeps }
     };
-    let mut sweep: Vec<(Vec<f64>, f64)> = points.into_par_iter().map(at).collect();
-    sweep.sort_by(|a, b| a.1.total_cmp(&b.1));
+    let mut sweep: Vec<Swept> = points.into_par_iter().map(at).collect();
+    sweep.sort_by(|a, b| a.merit.total_cmp(&b.merit));
     sweep
 }
 
@@ -308,24 +384,32 @@ fn swept(gains: &Gains<'_>, points: Vec<Vec<f64>>, progress: &Progress<'_>) -> V
 fn about(parts: &[f64]) -> Vec<Vec<f64>> {
     let count = parts.len();
     let points = if count == 0 { Vec::new() } else { lattice(count, ABOUT * count) };
-    let near = |width: f64| {
-        let moved = move |(x, part): (&f64, &f64)| (x + width * (part - 0.5)).clamp(0.0, 1.0);
-        points.iter().map(move |point| parts.iter().zip(point).map(moved).collect())
-    };
-    WIDTHS.into_iter().flat_map(near).collect()
+    WIDTHS.into_iter().flat_map(|width| moved(parts, &points, width)).collect()
 }
 
-/// The best points of the sweep, of which half are far from the very best.
-fn starts(sweep: &[(Vec<f64>, f64)], count: usize) -> Vec<Vec<f64>> {
+/// The points of a cube of this width about these parts.
+fn moved(parts: &[f64], points: &[Vec<f64>], width: f64) -> Vec<Vec<f64>> {
+    let moved = |(x, part): (&f64, &f64)| (x + width * (part - 0.5)).clamp(0.0, 1.0);
+    points.iter().map(|point| parts.iter().zip(point).map(moved).collect()).collect()
+}
+
+/// The best points of the sweep, of which half are far from the very best; `near` of them are points about that.
+fn starts(sweep: &[Swept], count: usize, near: usize) -> Vec<Vec<f64>> {
     let mut chosen: Vec<Vec<f64>> = Vec::new();
     let distance = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
     for apart in [0.25, 0.0] {
-        for (parts, value) in sweep {
-            let new = chosen.iter().all(|known| distance(known, parts) > apart);
-            if chosen.len() < count && value.is_finite() && new {
-                chosen.push(parts.clone());
+        for point in sweep {
+            let new = chosen.iter().all(|known| distance(known, &point.parts) > apart);
+            if chosen.len() + near < count && point.merit.is_finite() && new {
+                chosen.push(point.parts.clone());
             }
         }
+    }
+    if let (true, Some(best)) = (near > 0, chosen.first().cloned()) {
+        let dimensions = best.len();
+        #[expect(clippy::cast_precision_loss, reason = "hundreds of points, a handful of variables")]
+        let spacing = (sweep.len() as f64).powf(-1.0 / dimensions as f64);
+        chosen.extend(moved(&best, &lattice(dimensions, near), 2.0 * spacing));
     }
     chosen
 }

@@ -103,14 +103,14 @@ impl Task {
                 Some((end.parts, end.best?))
             });
             let from_scratch = from_last.is_none() || index == peaks.len() / 2 || index + 1 == peaks.len();
-            let found = if from_scratch { find(&design, objective, &limits, &progress) } else { None };
+            let found = if from_scratch { find(&design, objective, &limits, &progress).ok() } else { None };
             let found = found.map(|found| (found.parts, found.best));
             let best = from_last.into_iter().chain(found).min_by(|a, b| a.1.value.total_cmp(&b.1.value));
             progress.finish();
             let Some((end, candidate)) = best else { continue };
             points.push(Point {
                 sensitivity_peak: peak,
-                value: candidate.value,
+                value: self.proven(&candidate),
                 controller: candidate.controller,
             });
             parts = Some(end);

@@ -1,5 +1,6 @@
 //! The largest family that keeps a sensitivity peak.
 
+use super::touching::Boxes;
 use crate::analysis::frequency::FrequencyError;
 use crate::analysis::frequency::family::{Family, Goal, worst_case};
 use crate::model::{Controller, Process};
@@ -7,6 +8,8 @@ use crate::tuning::line::boundary;
 
 /// Relative width at which the bisection ends.
 const FINEST: f64 = 1e-6;
+/// How far below the size that touches the peak it is proven to be kept, and above it to be exceeded, relative.
+const APART: f64 = 1e-7;
 /// Sizes beyond this are not looked for: the family is then said to be unlimited.
 const GREATEST: f64 = 1e3;
 /// A sensitivity peak so many times that allowed says no more than that it is exceeded.
@@ -51,10 +54,50 @@ pub fn largest_family(
     let keeps = |family: &Family| {
         worst_case(process, controller, family, Goal::AtMost(sensitivity_peak)).map(|found| found.stable)
     };
-    let Ok(nominal) = shape.scaled(0.0) else { return Ok(None) };
-    if !keeps(&nominal)? {
+    let allowed = |size: f64| shape.scaled(size).map_or(Ok(false), |family| keeps(&family));
+    if !allowed(0.0)? {
         return Ok(None);
     }
+    let boxes = Boxes::new(process, shape, sensitivity_peak);
+    let touching = boxes.map(|boxes| boxes.touching(controller, most(shape))).transpose()?;
+    let size = match touching.map(|touching| touching.size) {
+        // A little less is proven, and a little more is proven to be too much.
+        Some(size)
+            if allowed(size * (1.0 - APART))? && (size >= GREATEST || !allowed(size * (1.0 + APART))?) =>
+        {
+            size * (1.0 - APART)
+        }
+        _ => {
+            let size = searched(process, controller, shape, sensitivity_peak);
+            if !allowed(size)? {
+                return Ok(None);
+            }
+            size
+        }
+    };
+    let Ok(family) = shape.scaled(size) else { return Ok(None) };
+    let limited_by_zero = family.gain()[0].min(family.dead_time()[0]) < NEAR_ZERO;
+    Ok(Some(Largest { size, family, limited_by_zero }))
+}
+
+/// The size of the largest family, proven. `None` where not even the nominal loop keeps the peak.
+pub(crate) fn proven_size(
+    process: &Process,
+    controller: &Controller,
+    shape: &Family,
+    sensitivity_peak: f64,
+) -> Option<f64> {
+    Some(largest_family(process, controller, shape, sensitivity_peak).ok()??.size)
+}
+
+/// The greatest size that is looked for, at which a factor becomes 0 at the latest.
+pub(crate) fn most(shape: &Family) -> f64 {
+    let least = shape.gain()[0].min(shape.dead_time()[0]);
+    if least < 1.0 { GREATEST.min(1.0 / (1.0 - least)) } else { GREATEST }
+}
+
+/// The size found by worst cases alone, each proven.
+fn searched(process: &Process, controller: &Controller, shape: &Family, sensitivity_peak: f64) -> f64 {
     // By how much the worst member keeps the peak; sizes that are no family, or far too large, are outside.
     let slack = |size: f64| -> f64 {
         let peak = shape.scaled(size).ok().and_then(|family| {
@@ -74,17 +117,11 @@ pub fn largest_family(
         }
         (inside, size) = (here, 2.0 * size);
     };
-    let low = if outside.1 < 0.0 {
+    if outside.1 < 0.0 {
         boundary(inside, outside, (FINEST, 0.1 * FINEST), &mut |size| slack(size))
     } else {
         inside.0
-    };
-    let Ok(family) = shape.scaled(low) else { return Ok(None) };
-    if !keeps(&family)? {
-        return Ok(None);
     }
-    let limited_by_zero = family.gain()[0].min(family.dead_time()[0]) < NEAR_ZERO;
-    Ok(Some(Largest { size: low, family, limited_by_zero }))
 }
 
 #[cfg(test)]

@@ -15,4 +15,5 @@ mod sector;
 mod shape;
 
 pub use search::{Goal, Member, WorstCase, worst_case};
+pub(crate) use sector::Sector;
 pub use shape::{Family, FamilyError};

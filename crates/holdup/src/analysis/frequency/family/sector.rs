@@ -4,28 +4,28 @@ use std::f64::consts::{PI, TAU};
 
 /// The points `r·e^(jθ)` with r and θ in these ranges.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Sector {
+pub(crate) struct Sector {
     /// Least and greatest modulus, ≥ 0.
-    pub(super) radius: [f64; 2],
+    pub(crate) radius: [f64; 2],
     /// From angle to angle \[rad\], rising; 2π or more is the whole annulus.
-    pub(super) angle: [f64; 2],
+    pub(crate) angle: [f64; 2],
 }
 
 /// A point of a sector and its distance from −1.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Nearest {
-    pub(super) distance: f64,
-    pub(super) radius: f64,
-    pub(super) angle: f64,
+pub(crate) struct Nearest {
+    pub(crate) distance: f64,
+    pub(crate) radius: f64,
+    pub(crate) angle: f64,
     /// Whether a point of the sector has the angle of −1.
-    pub(super) towards: bool,
+    pub(crate) towards: bool,
 }
 
 impl Sector {
     /// The point nearest to −1.
     ///
     /// `|1 + r·e^(jθ)|² = (r − cos ψ)² + sin² ψ` with ψ = θ − π: it falls with |ψ|, and for one ψ with |r − cos ψ|.
-    pub(super) fn nearest(&self) -> Nearest {
+    pub(crate) fn nearest(&self) -> Nearest {
         let [low, high] = self.angle;
         // The first angle from `low` on that points at −1.
         let towards = low + (PI - low).rem_euclid(TAU);

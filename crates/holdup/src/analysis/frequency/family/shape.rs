@@ -107,7 +107,7 @@ impl Family {
     }
 
     /// Whether the gain factors are the same for every dead time.
-    pub(super) fn is_box(&self) -> bool {
+    pub(crate) fn is_box(&self) -> bool {
         matches!(self.shape, Shape::Ranges { .. })
     }
 
