@@ -24,6 +24,10 @@ const ROW: u32 = 40;
 const REACHED: f64 = 1e-12;
 /// Limits exceeded by more, relative, are too far away for the value to matter.
 pub(super) const FAR_OUTSIDE: f64 = 0.1;
+/// How long a response may be followed, in settling times that are allowed: what lasts longer loses less than a quarter of a
+/// swing in one of them. And where the settling time itself is searched, in times of the loop.
+const SWINGS: f64 = 100.0;
+const SWINGS_AT_ALL: f64 = 2e3;
 /// A step down from the greatest gain that tells whether the value falls up to there.
 const BELOW: f64 = 1.0 - 1e-4;
 
@@ -392,10 +396,20 @@ impl<'a> Gains<'a> {
         Some(best)
     }
 
+    /// The responses of a candidate. Where it counts when they settle, a loop that swings for very much longer is none.
+    fn transients<'b>(&'b self, controller: &'b Controller) -> Transients<'b> {
+        let transients = Transients::new(self.design, controller);
+        match self.limits.of(Quantity::SetpointSettlingTime) {
+            Some(limit) => transients.up_to(SWINGS * limit),
+            None if self.jumps() => transients.up_to(SWINGS_AT_ALL * self.design.time),
+            None => transients,
+        }
+    }
+
     /// The controller and its value; `None` where the value is infinite.
     pub(super) fn candidate(&self, parts: &[f64], gain: f64) -> Option<Candidate> {
         let controller = self.design.controller(parts, gain).ok()?;
-        let transients = Transients::new(self.design, &controller);
+        let transients = self.transients(&controller);
         let value = || self.objective.value(self.design, &controller, &transients);
         // What costs less than a simulation, first.
         let known = if self.sizes_boxes() { Some(value()?) } else { None };
@@ -413,7 +427,7 @@ impl<'a> Gains<'a> {
     /// By how much a gain keeps every limit on an integral, relative.
     pub(super) fn spare(&self, parts: &[f64], gain: f64) -> f64 {
         let spare = self.design.controller(parts, gain).ok().and_then(|controller| {
-            let transients = Transients::new(self.design, &controller);
+            let transients = self.transients(&controller);
             self.limits.spare(&transients)
         });
         spare.unwrap_or(f64::NEG_INFINITY)

@@ -194,6 +194,12 @@ impl<'a> Transients<'a> {
         Self { process: &design.process, controller, longest: LONGEST * design.time, load, setpoint }
     }
 
+    /// The same with those out of reach that must be followed for longer than this \[s\].
+    pub(super) fn up_to(mut self, longest: f64) -> Self {
+        self.longest = self.longest.min(longest);
+        self
+    }
+
     /// The area of the error after a unit load step, which no IAE is less than: a sum that costs no simulation. `None` where
     /// the structure is not one of those searched.
     pub(super) fn load_area(&self) -> Option<f64> {
