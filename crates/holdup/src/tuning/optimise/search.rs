@@ -20,9 +20,6 @@ use crate::model::{Controller, Process};
 const STARTS: usize = 2;
 /// The same where a limit jumps: there are as many minima as the response has swings.
 const STARTS_WITH_JUMPS: usize = 5;
-/// Those of them that lie about the best point of the sweep, a spacing of its points apart: the best may be all that the sweep
-/// has met of a narrow place.
-const NEAR_THE_BEST: usize = 3;
 /// Size of the simplex at the end of a search for how near a limit that jumps can be kept.
 const ROUGH: f64 = 2e-3;
 /// Rounds of searches: the second and later ones from where one ended apart from the best.
@@ -163,11 +160,8 @@ pub(super) fn find(
             }
         }
     }
-    let starts = if searching.jumps() && count > 0 {
-        starts(&sweep, STARTS_WITH_JUMPS + count, NEAR_THE_BEST)
-    } else {
-        starts(&sweep, STARTS + count, 0)
-    };
+    let number = if searching.jumps() { STARTS_WITH_JUMPS } else { STARTS };
+    let starts = starts(&sweep, number + count);
     let share = progress::SEARCHES / (ROUNDS * starts.len() as u64).max(1);
     let mut ends: Vec<End> = starts
         .into_par_iter()
@@ -384,32 +378,24 @@ fn swept(gains: &Gains<'_>, points: Vec<Vec<f64>>, progress: &Progress<'_>) -> V
 fn about(parts: &[f64]) -> Vec<Vec<f64>> {
     let count = parts.len();
     let points = if count == 0 { Vec::new() } else { lattice(count, ABOUT * count) };
-    WIDTHS.into_iter().flat_map(|width| moved(parts, &points, width)).collect()
+    let near = |width: f64| {
+        let moved = move |(x, part): (&f64, &f64)| (x + width * (part - 0.5)).clamp(0.0, 1.0);
+        points.iter().map(move |point| parts.iter().zip(point).map(moved).collect())
+    };
+    WIDTHS.into_iter().flat_map(near).collect()
 }
 
-/// The points of a cube of this width about these parts.
-fn moved(parts: &[f64], points: &[Vec<f64>], width: f64) -> Vec<Vec<f64>> {
-    let moved = |(x, part): (&f64, &f64)| (x + width * (part - 0.5)).clamp(0.0, 1.0);
-    points.iter().map(|point| parts.iter().zip(point).map(moved).collect()).collect()
-}
-
-/// The best points of the sweep, of which half are far from the very best; `near` of them are points about that.
-fn starts(sweep: &[Swept], count: usize, near: usize) -> Vec<Vec<f64>> {
+/// The best points of the sweep, of which half are far from the very best.
+fn starts(sweep: &[Swept], count: usize) -> Vec<Vec<f64>> {
     let mut chosen: Vec<Vec<f64>> = Vec::new();
     let distance = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
     for apart in [0.25, 0.0] {
         for point in sweep {
             let new = chosen.iter().all(|known| distance(known, &point.parts) > apart);
-            if chosen.len() + near < count && point.merit.is_finite() && new {
+            if chosen.len() < count && point.merit.is_finite() && new {
                 chosen.push(point.parts.clone());
             }
         }
-    }
-    if let (true, Some(best)) = (near > 0, chosen.first().cloned()) {
-        let dimensions = best.len();
-        #[expect(clippy::cast_precision_loss, reason = "hundreds of points, a handful of variables")]
-        let spacing = (sweep.len() as f64).powf(-1.0 / dimensions as f64);
-        chosen.extend(moved(&best, &lattice(dimensions, near), 2.0 * spacing));
     }
     chosen
 }
