@@ -14,9 +14,15 @@ def draw(goals, c, file):
     left.barh(labels, shares, color=["#2b7a5b" if share >= 1 else "#c0562b" for share in shares], log=True)
     left.axvline(1, color="black", linewidth=1)
     for place, share in enumerate(shares):
-        left.annotate(f"{share:.2g}", (share, place), xytext=(3, 0), textcoords="offset points", va="center")
+        left.annotate(f"{share:.2f}", (share, place), xytext=(4, 0), textcoords="offset points", va="center",
+                      bbox={"facecolor": "white", "edgecolor": "none", "pad": 1})
+    # Room for the label of the longest bar.
+    left.set_xlim(0.5 * min(shares), 1.6 * max(*shares, 1))
+    ticks = [tick for tick in (0.1, 0.2, 0.5, 1, 2, 5, 10, 20) if 0.5 * min(shares) < tick < 1.6 * max(*shares, 1)]
+    left.set_xticks(ticks, labels=[f"{tick:g}" for tick in ticks])
+    left.minorticks_off()
     left.set_xlabel("measured / target (right of 1: reached)")
-    left.set_title("Targets, one core")
+    left.set_title("Targets")
     series = {("ours", "metrics"): ("holdup", "*"), ("c", "metrics"): ("C, fourth order", "o"),
               ("c-euler", "metrics"): ("C, Euler", "s"), ("crate", "metrics"): ("differential-equations", "^"),
               ("scipy", "metrics"): ("scipy by steps", "v"), ("control", "points"): ("python-control, Padé", "D")}
