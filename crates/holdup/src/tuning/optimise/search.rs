@@ -259,11 +259,7 @@ pub(super) fn search_from(
     watch: &mut progress::Search<'_>,
 ) -> End {
     let mut search = Search::new(gains, watch);
-    let last = if start.is_empty() {
-        (Vec::new(), search.value(start))
-    } else {
-        minimise(start, size, finest, &mut |parts| search.value(parts))
-    };
+    let last = minimise(start, size, finest, &mut |parts| search.value(parts));
     search.onto_the_ridge();
     search.end(last)
 }
@@ -300,11 +296,8 @@ fn roughly_from(
     watch: &mut progress::Search<'_>,
 ) -> End {
     let mut search = Search::new(gains, watch);
-    let last = match start.len() {
-        0 => (Vec::new(), search.value(start)),
-        1 => minimise(start, size, finest, &mut |parts| search.value(parts)),
-        _ => simplex(start, size, finest, &mut |parts| search.value(parts)),
-    };
+    let by = if start.len() < 2 { minimise } else { simplex };
+    let last = by(start, size, finest, &mut |parts| search.value(parts));
     search.end(last)
 }
 

@@ -25,8 +25,10 @@ const SEARCHES: usize = 12;
 /// The least value found from a start, and where. The first simplex is of this size; a search ends when it is as small as
 /// `finest`.
 pub(super) fn minimise(start: &[f64], size: f64, finest: f64, value: &mut Value) -> (Vec<f64>, f64) {
-    if start.len() == 1 {
-        return along(start[0], size, finest, value);
+    match start {
+        [] => return (Vec::new(), value(start)),
+        [start] => return along(*start, size, finest, value),
+        _ => {}
     }
     let mut best = (start.to_vec(), value(start));
     let mut size = size;

@@ -4,7 +4,7 @@ use super::design::{Design, Structure};
 use super::filter::Filter;
 use super::gain::Candidate;
 use super::infeasible::conflict;
-use super::limits::Limits;
+use super::limits::{Limits, Quantity};
 use super::objective::Objective;
 use super::progress::Progress;
 use super::search::{OptimiseError, Optimum, find};
@@ -69,6 +69,15 @@ impl Task {
         }
     }
 
+    /// The limits, and what the objective asks of the nominal process beside them.
+    fn limits_in_all(&self) -> Limits {
+        let Objective::RobustBox { sensitivity_peak, .. } = self.objective else {
+            return self.limits.clone();
+        };
+        let known = self.limits.of(Quantity::SensitivityPeak).unwrap_or(f64::INFINITY);
+        self.limits.clone().with(Quantity::SensitivityPeak, sensitivity_peak.min(known))
+    }
+
     /// The value of what was found, with the proof that the search does without.
     pub(super) fn proven(&self, found: &Candidate) -> f64 {
         match self.objective {
@@ -89,7 +98,9 @@ impl Task {
         let progress = Progress::new(tell);
         let search = |design: &Design| {
             let found = find(design, self.objective, &self.limits, &progress);
-            found.map_err(|nothing| OptimiseError::Infeasible(conflict(design, &self.limits, nothing)))
+            found.map_err(|nothing| {
+                OptimiseError::Infeasible(conflict(design, &self.limits_in_all(), nothing))
+            })
         };
         let mut found = search(&design)?;
         let mut value = self.proven(&found.best);
@@ -130,7 +141,24 @@ mod tests {
     use super::*;
     use crate::analysis::frequency::family::Family;
     use crate::model::Seconds;
-    use crate::tuning::optimise::Quantity;
+
+    #[test]
+    fn a_limit_that_leaves_no_box_is_told_with_the_peak_of_the_box() {
+        let process = Process::integrating(1.0, Seconds(1.0)).unwrap();
+        let family = Family::ranges([0.8, 1.2], [0.8, 1.2]).unwrap();
+        let objective = Objective::RobustBox { family, sensitivity_peak: 1.2 };
+        let limits = Limits::default().with(Quantity::LoadIae, 10.0);
+        let Err(refused) = Task::new(&process, Structure::Pi, objective, &limits).optimise(&|_| {}) else {
+            panic!("feasible");
+        };
+        let message = refused.to_string();
+        // Load IAE 10 takes a peak above 1.2, and the peak 1.2 a load IAE above 10.
+        let OptimiseError::Infeasible(conflict) = refused else { panic!("{message}") };
+        for (limit, nearest) in conflict.limits {
+            assert!(nearest.unwrap() > limit.value, "{message}");
+        }
+        assert!(message.contains("sensitivity_peak <= 1.2"), "{message}");
+    }
 
     #[test]
     fn a_search_with_every_box_proven_finds_the_same() {

@@ -90,7 +90,7 @@ pub(super) struct Propagation<'a, V: Lanes> {
     floor: f64,
     /// Signals of the segment at hand: the states.
     signals: Vec<Signals<V>>,
-    /// Bounds on states and inputs over the segment at hand.
+    /// Bounds on states, inputs and, where it is not an input, `manipulated` over the segment at hand.
     sizes: Vec<Sizes<V>>,
     end: End<V>,
     /// Storage.
@@ -121,7 +121,7 @@ impl<'a, V: Lanes> Propagation<'a, V> {
             quiet: zero.like(f64::INFINITY),
             floor: 0.0,
             signals: vec![Signals::zero(token); n],
-            sizes: vec![Sizes { swing: zero, layer: zero }; n + inputs],
+            sizes: vec![Sizes { swing: zero, layer: zero }; n + inputs + 1],
             end: End::new(token),
             drive: Signals::zero(token),
             manipulated: Signals::zero(token),
@@ -304,8 +304,9 @@ impl<'a, V: Lanes> Propagation<'a, V> {
         if let Some(row) = &plan.load_estimate {
             combine(&mut self.load_estimate, row, &self.signals, delayed, terms);
         }
-        self.manipulated.fill(terms);
-        for (sizes, signal) in self.sizes.iter_mut().zip(self.signals.iter_mut().chain(&mut self.spare)) {
+        let signals = self.signals.iter_mut().chain(&mut self.spare);
+        let own = (!system.input_is_manipulated).then_some(&mut self.manipulated);
+        for (sizes, signal) in self.sizes.iter_mut().zip(signals.chain(own)) {
             signal.fill(terms);
             *sizes = signal.sizes(terms);
         }
@@ -383,12 +384,10 @@ impl<'a, V: Lanes> Propagation<'a, V> {
         let (output, states) = (self.systems[0].output, self.plan.states.len());
         let rests = &self.rests;
         let rest = |of: fn(&Rest) -> f64| V::from_fn(length.token(), |l| of(&rests[l]));
-        let sizes_of_own =
-            self.manipulated.sizes(if self.systems[0].input_is_manipulated { 0 } else { terms });
         let (manipulated, manipulated_sizes) = if self.systems[0].input_is_manipulated {
             (&mut self.spare[0], self.sizes[states])
         } else {
-            (&mut self.manipulated, sizes_of_own)
+            (&mut self.manipulated, self.sizes[states + self.spare.len()])
         };
         // States and inputs are deviations from rest: what is shown is not, and they go on as they were.
         let (state, input) = (self.signals[output].smooth[0], manipulated.smooth[0]);
