@@ -27,7 +27,7 @@ fn heun(closed: &ClosedLoop, h: f64) -> Vec<f64> {
     let (mut left, mut right): (Vec<Vec<f64>>, Vec<Vec<f64>>) =
         (vec![vec![]; lags.len()], vec![vec![]; lags.len()]);
     let sum = |sum: &Sum, x: &[f64], w: &[f64], load: f64, on: f64| -> f64 {
-        sum.0
+        sum.terms()
             .iter()
             .map(|&(source, weight)| {
                 weight

@@ -3,6 +3,8 @@
 //! This one description gives both the frequency response ([`crate::analysis`] takes determinants of it) and
 //! the states that the simulation propagates.
 
+use smallvec::SmallVec;
+
 use super::compensated_loop::compensated_loop;
 use super::controller::Controller;
 use super::process::Process;
@@ -24,23 +26,36 @@ pub enum Source {
 
 /// A weighted sum of sources.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Sum(pub Vec<(Source, f64)>);
+pub struct Sum(SmallVec<[(Source, f64); 4]>);
 
 impl Sum {
     /// This sum plus `weight` times `source`.
     #[must_use]
     pub fn plus(mut self, source: Source, weight: f64) -> Self {
+        self.add(source, weight);
+        self
+    }
+
+    fn add(&mut self, source: Source, weight: f64) {
         match self.0.iter_mut().find(|(s, _)| *s == source) {
             Some((_, w)) => *w += weight,
             None => self.0.push((source, weight)),
         }
-        self
     }
 
     /// This sum plus `weight` times `other`.
     #[must_use]
-    pub fn plus_sum(self, other: &Sum, weight: f64) -> Self {
-        other.0.iter().fold(self, |sum, &(source, w)| sum.plus(source, weight * w))
+    pub fn plus_sum(mut self, other: &Sum, weight: f64) -> Self {
+        for &(source, w) in &other.0 {
+            self.add(source, weight * w);
+        }
+        self
+    }
+
+    /// The sources, each once, and their weights.
+    #[must_use]
+    pub fn terms(&self) -> &[(Source, f64)] {
+        &self.0
     }
 
     /// The weight of one source, 0 where it does not occur.

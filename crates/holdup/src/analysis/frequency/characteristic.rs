@@ -116,8 +116,8 @@ impl Matrix {
         let rates = closed_loop.rates().iter().enumerate();
         let inputs = closed_loop.channels().iter().enumerate();
         let rows = rates
-            .map(|(i, rate)| row((i, s), &rate.0, dead_time))
-            .chain(inputs.map(|(i, channel)| row((states + i, one), &channel.input.0, 1.0)))
+            .map(|(i, rate)| row((i, s), rate.terms(), dead_time))
+            .chain(inputs.map(|(i, channel)| row((states + i, one), channel.input.terms(), 1.0)))
             .collect();
         Self { rows }
     }

@@ -39,7 +39,7 @@ pub(super) fn error(closed_loop: &ClosedLoop, input: Input, s: Complex64) -> Opt
 fn subtract(row: &mut [Complex64], closed_loop: &ClosedLoop, sum: &Sum, input: Input, s: Complex64) {
     let states = closed_loop.rates().len();
     let right = row.len() - 1;
-    for &(source, weight) in &sum.0 {
+    for &(source, weight) in sum.terms() {
         match source {
             Source::State(index) => row[index] -= weight,
             Source::Delayed(index) => {

@@ -1,7 +1,7 @@
 //! What the metrics are made of, gathered cell by cell: integrals, variation, extrema, crossings.
 
 use super::cell::{Cell, Watch};
-use super::layered::Segment;
+use super::layered::{Gathered, Segment};
 use super::legendre::{
     Poly, derivative, ends, magnitude, primitives, significant, square_integral, swing, value,
 };
@@ -32,7 +32,7 @@ pub(super) const LEVELS: [f64; 2] = [0.1, 0.9];
 pub(super) const BANDS: [f64; 2] = [0.02, 0.05];
 
 /// All sums and extremes of one run.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub(super) struct Measure {
     pub(super) iae: f64,
     pub(super) ise: f64,
@@ -43,6 +43,8 @@ pub(super) struct Measure {
     pub(super) tracking: Option<Tracking>,
     /// Whether nothing is asked for but the integrals.
     pub(super) integrals_only: bool,
+    /// Segments whose integrals are not in the sums yet; see [`Self::settle`].
+    pub(super) gathered: Gathered,
     /// Controlled variable (relative to the initial level) and controller output at the end.
     pub(super) last: (f64, f64),
 }
@@ -65,6 +67,7 @@ impl Measure {
             peak: 0.0,
             tracking,
             integrals_only: false,
+            gathered: Gathered::default(),
             last: (0.0, 0.0),
         }
     }

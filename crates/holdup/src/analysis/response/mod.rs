@@ -78,7 +78,7 @@ pub fn simulate(closed_loop: &ClosedLoop, scenario: &Scenario) -> Result<Respons
     let system = System::new(closed_loop);
     let mut measure = measure_of(scenario);
     let outcome = run(&system, scenario, &mut measure)?;
-    let mut response = response(scenario, &measure, outcome);
+    let mut response = response(scenario, measure, outcome);
     response.warnings.extend(beyond_proof(&system, scenario));
     Ok(response)
 }
@@ -98,7 +98,7 @@ fn beyond_proof(system: &System, scenario: &Scenario) -> Option<String> {
 }
 
 /// Shows the response to `watch`: the fast way where the loop allows it, otherwise cell by cell.
-fn run(system: &System, scenario: &Scenario, watch: &mut impl Watch) -> Result<Outcome, ResponseError> {
+fn run(system: &System, scenario: &Scenario, watch: &mut dyn Watch) -> Result<Outcome, ResponseError> {
     if let Some(outcome) = layered::run(system, scenario, watch) {
         return outcome;
     }
@@ -110,7 +110,8 @@ fn measure_of(scenario: &Scenario) -> Measure {
     Measure::new(scenario.single_setpoint_move().map(|(time, size)| Move { time, size }))
 }
 
-fn response(scenario: &Scenario, measure: &Measure, outcome: Outcome) -> Response {
+fn response(scenario: &Scenario, mut measure: Measure, outcome: Outcome) -> Response {
+    measure.settle();
     let mut warnings = Vec::new();
     let mut metrics = Metrics::default();
     if let Some(time) = outcome.overflow_at {
@@ -140,7 +141,7 @@ fn response(scenario: &Scenario, measure: &Measure, outcome: Outcome) -> Respons
             metrics.control_energy = finite("control_energy", measure.energy);
             metrics.total_variation = finite("total_variation", measure.variation);
         }
-        tracking_metrics(&mut metrics, measure, &mut warnings);
+        tracking_metrics(&mut metrics, &measure, &mut warnings);
     }
     Response {
         metrics,

@@ -128,7 +128,7 @@ impl<'a> Solver<'a> {
     pub(super) fn run(
         mut self,
         scenario: &Scenario,
-        watch: &mut impl Watch,
+        watch: &mut dyn Watch,
     ) -> Result<Outcome, ResponseError> {
         let events = merged_events(scenario);
         let mut next_event = 0;
@@ -247,7 +247,7 @@ impl<'a> Solver<'a> {
     }
 
     /// Nothing moves until the next event: one cell of constants.
-    fn stand_still(&mut self, room: f64, watch: &mut impl Watch) {
+    fn stand_still(&mut self, room: f64, watch: &mut dyn Watch) {
         self.states.fill(0.0);
         for (line, &delay) in self.lines.iter_mut().zip(&self.system.delays) {
             *line = DelayLine::at_rest(delay, self.system.delays.len() > 1);
@@ -386,7 +386,7 @@ impl<'a> Solver<'a> {
         self.state_scales.iter().chain(&self.input_scales).any(|&s| s > 1e280)
     }
 
-    fn show(&self, length: f64, watch: &mut impl Watch) {
+    fn show(&self, length: f64, watch: &mut dyn Watch) {
         let system = self.system;
         let mut error = self.state_polys[system.output].map(|c| -c);
         error[0] += self.rest.error;

@@ -4,7 +4,7 @@
 use smallvec::{SmallVec, smallvec};
 
 use crate::model::ClosedLoop;
-use crate::model::closed_loop::{Source, Sum};
+use crate::model::closed_loop::{Source, Sum, Window};
 
 /// Sources by index, and their weights.
 pub(super) type Terms = SmallVec<[(usize, f64); 4]>;
@@ -24,7 +24,7 @@ pub(super) struct Row {
 impl Row {
     fn new(sum: &Sum) -> Self {
         let mut row = Self::default();
-        for &(source, weight) in sum.0.iter().filter(|(_, weight)| *weight != 0.0) {
+        for &(source, weight) in sum.terms().iter().filter(|(_, weight)| *weight != 0.0) {
             match source {
                 Source::Setpoint => row.setpoint += weight,
                 Source::SetpointRate => row.setpoint_rate += weight,
@@ -102,17 +102,7 @@ impl System {
         let output = closed_loop.controlled_variable();
         let input_is_manipulated =
             inputs[0].states == manipulated.states && inputs[0].delayed == manipulated.delayed;
-        // At rest the rate of a window is 0 whatever it holds; what it holds is its input times its length.
-        let mut at_rest = rates.clone();
-        for window in closed_loop.windows() {
-            let length = closed_loop.channels()[window.channel].delay;
-            at_rest[window.state] = Row {
-                states: smallvec![(window.state, 1.0)],
-                delayed: smallvec![(window.channel, -length)],
-                ..Row::default()
-            };
-        }
-        let points = equilibria(&at_rest, &inputs);
+        let points = resting(closed_loop, &rates, &inputs);
         let has_rest = points.is_some();
         let n = rates.len();
         let [of_setpoint, of_load] = points.unwrap_or_else(|| {
@@ -204,17 +194,32 @@ fn blocks(rates: &[Row]) -> Vec<(usize, usize)> {
     blocks
 }
 
+/// The [`equilibria`] of a loop. At rest the rate of a window is 0 whatever it holds; what it holds is its input times its length.
+fn resting(closed_loop: &ClosedLoop, rates: &[Row], inputs: &[Row]) -> Option<[Point; 2]> {
+    let held = |window: &Window| Row {
+        states: smallvec![(window.state, 1.0)],
+        delayed: smallvec![(window.channel, -closed_loop.channels()[window.channel].delay)],
+        ..Row::default()
+    };
+    let held: SmallVec<[Row; 1]> = closed_loop.windows().iter().map(held).collect();
+    let mut rates: SmallVec<[&Row; 8]> = rates.iter().collect();
+    for (window, row) in closed_loop.windows().iter().zip(&held) {
+        rates[window.state] = row;
+    }
+    equilibria(&rates, inputs)
+}
+
 /// States and delayed signals at which nothing moves under a unit setpoint, and under a unit load; `None` where there is no unique
 /// such point.
 ///
 /// Rows with one unknown are eliminated first, so that what is zero by structure (the process input of an
 /// integrating process, the error under integral action) comes out as exactly zero.
-fn equilibria(rates: &[Row], inputs: &[Row]) -> Option<[Point; 2]> {
+fn equilibria(rates: &[&Row], inputs: &[Row]) -> Option<[Point; 2]> {
     let (n, channels) = (rates.len(), inputs.len());
     let size = n + channels;
-    let mut matrix: Vec<SmallVec<[f64; 10]>> = Vec::with_capacity(size);
-    for (index, row) in rates.iter().chain(inputs).enumerate() {
-        let mut line: SmallVec<[f64; 10]> = smallvec![0.0; size + 2];
+    let mut matrix: SmallVec<[Line; 6]> = SmallVec::with_capacity(size);
+    for (index, row) in rates.iter().copied().chain(inputs).enumerate() {
+        let mut line: Line = smallvec![0.0; size + 2];
         row.states.iter().for_each(|&(i, w)| line[i] += w);
         row.delayed.iter().for_each(|&(c, w)| line[n + c] += w);
         if index >= n {
@@ -232,23 +237,22 @@ fn equilibria(rates: &[Row], inputs: &[Row]) -> Option<[Point; 2]> {
     }
     let mut order: SmallVec<[usize; 8]> = SmallVec::new();
     for step in 0..size {
-        let count = |line: &[f64]| line[..size].iter().filter(|v| **v != 0.0).count();
-        let row = (step..size).filter(|&i| count(&matrix[i]) > 0).min_by_key(|&i| count(&matrix[i]))?;
+        let count = |line: &Line| line[..size].iter().map(|v| usize::from(*v != 0.0)).sum::<usize>();
+        let (_, row) = (step..size).map(|i| (count(&matrix[i]), i)).filter(|(count, _)| *count > 0).min()?;
         matrix.swap(step, row);
-        let pivot_row = matrix[step].clone();
-        let column = (0..size).max_by(|&i, &j| pivot_row[i].abs().total_cmp(&pivot_row[j].abs()))?;
-        if pivot_row[column].abs() < 1e-13 {
+        let (before, rest) = matrix.split_at_mut(step);
+        let (pivot_row, after) = rest.split_first_mut()?;
+        let (column, pivot) = largest(&pivot_row[..size]);
+        if pivot.abs() < 1e-13 {
             return None;
         }
         order.push(column);
-        for (i, line) in matrix.iter_mut().enumerate() {
-            if i != step && line[column] != 0.0 {
-                let factor = line[column] / pivot_row[column];
-                for (v, p) in line.iter_mut().zip(&pivot_row) {
-                    *v -= factor * p;
-                }
-                line[column] = 0.0;
+        for line in before.iter_mut().chain(after).filter(|line| line[column] != 0.0) {
+            let factor = line[column] / pivot;
+            for (v, p) in line.iter_mut().zip(pivot_row.iter()) {
+                *v -= factor * p;
             }
+            line[column] = 0.0;
         }
     }
     let mut points: [Point; 2] = [smallvec![0.0; size], smallvec![0.0; size]];
@@ -257,6 +261,19 @@ fn equilibria(rates: &[Row], inputs: &[Row]) -> Option<[Point; 2]> {
         points[1][column] = line[size + 1] / line[column];
     }
     points.iter().flatten().all(|v| v.is_finite()).then_some(points)
+}
+
+/// One equation: the weights of states and delayed signals, and the right-hand sides of setpoint and load.
+type Line = SmallVec<[f64; 8]>;
+
+/// The last of the numbers of largest magnitude, and its place.
+fn largest(line: &[f64]) -> (usize, f64) {
+    line.iter().copied().enumerate().fold(
+        (0, 0.0),
+        |most: (usize, f64), at| {
+            if at.1.abs() >= most.1.abs() { at } else { most }
+        },
+    )
 }
 
 #[cfg(test)]

@@ -68,7 +68,7 @@ pub fn simulate_with_trajectory(
     let system = System::new(closed_loop);
     let mut both = Both(measure_of(scenario), Sampler::new(&system, scenario, times)?);
     let outcome = run(&system, scenario, &mut both)?;
-    let mut response = response(scenario, &both.0, outcome);
+    let mut response = response(scenario, both.0, outcome);
     response.warnings.extend(beyond_proof(&system, scenario));
     Ok((response, both.1.finish(outcome)))
 }
@@ -105,7 +105,7 @@ pub fn refill_trajectory(
     let mut both = Both(Measure::integrals_only(), sampler);
     let outcome = run(&system, scenario, &mut both)?;
     *trajectory = both.1.finish(outcome);
-    Ok(Integrals::from(&response(scenario, &both.0, outcome).metrics))
+    Ok(Integrals::from(&response(scenario, both.0, outcome).metrics))
 }
 
 /// Times for drawing [s]: `points` uniform ones, and every event and delayed image of it (of the first 200) twice, just

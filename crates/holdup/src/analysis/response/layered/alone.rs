@@ -1,5 +1,7 @@
 //! A single loop, shown to those who look at one loop.
 
+use fearless_simd::Simd;
+
 use super::super::cell::Watch;
 use super::lanes::One;
 use super::propagate::{Follow, Stretch};
@@ -7,21 +9,21 @@ use super::segment::Segment;
 use super::signal::Signal;
 
 /// Hands the segments of the only loop on to `watch`.
-pub(super) struct Alone<'w, W> {
-    watch: &'w mut W,
+pub(super) struct Alone<'w> {
+    watch: &'w mut dyn Watch,
     error: Signal,
     manipulated: Signal,
     load_estimate: Signal,
 }
 
-impl<'w, W> Alone<'w, W> {
-    pub(super) fn new(watch: &'w mut W) -> Self {
+impl<'w> Alone<'w> {
+    pub(super) fn new(watch: &'w mut dyn Watch) -> Self {
         Self { watch, error: Signal::ZERO, manipulated: Signal::ZERO, load_estimate: Signal::ZERO }
     }
 }
 
-impl<W: Watch> Follow<One> for Alone<'_, W> {
-    fn stretch(&mut self, stretch: &Stretch<'_, One>) {
+impl<S: Simd> Follow<One<S>> for Alone<'_> {
+    fn stretch(&mut self, stretch: &Stretch<'_, One<S>>) {
         let terms = stretch.terms;
         stretch.deviation.of_loop(0, -1.0, terms, &mut self.error);
         stretch.manipulated.of_loop(0, 1.0, terms, &mut self.manipulated);
@@ -37,7 +39,6 @@ impl<W: Watch> Follow<One> for Alone<'_, W> {
             error: &self.error,
             manipulated: &self.manipulated,
             load_estimate: stretch.load_estimate.map(|_| &self.load_estimate),
-            stretch: Some(stretch),
         });
     }
 }

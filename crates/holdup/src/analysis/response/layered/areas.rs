@@ -1,13 +1,13 @@
 //! `∫|e|` and `∫t·|e|` of several loops over a stretch, in closed form between the roots of the error.
 
-use super::crossings::{crossings, root};
+use super::crossings::{MOST_ROOTS, crossings};
 use super::integrals::ROUNDING;
 use super::lanes::{Lanes, Set};
 use super::propagate::Stretch;
 use super::squares::{Decided, dot};
 use super::tables::{INVERSE, TABLES};
 
-/// `∫|e|` and `∫t·|e|` of each loop, decided where its error changes sign at most twice, and provably so.
+/// `∫|e|` and `∫t·|e|` of each loop, decided where its error changes sign at most [`MOST_ROOTS`] times, and provably so.
 pub(super) fn areas<V: Lanes>(stretch: &Stretch<'_, V>, so_far: (V, V)) -> Decided<(V, V)> {
     V::widest(
         stretch.length.token(),
@@ -47,23 +47,22 @@ fn of_magnitudes<V: Lanes>(stretch: &Stretch<'_, V>, so_far: (V, V)) -> Decided<
     let floor = (iae / stretch.length).min(itae / (stretch.length * end)) * ROUNDING;
     let open = V::every() & !keeps_its_sign;
     let found = crossings(stretch, open, layer_end, floor);
-    let known = keeps_its_sign | found.none | found.one | found.two;
-    let crossed = found.one | found.two;
-    if crossed == Set::NONE {
-        return (sums, known);
-    }
     let terms = if layer_size.all_at_most(floor) { 0 } else { stretch.terms };
-    let (area, weighted) = integrals(stretch, terms, root(stretch, terms, crossed, &found.roots[0]));
-    let mut areas = area.abs() + (total - area).abs();
-    let mut moments = weighted.abs() + (moment - weighted).abs();
-    if found.two != Set::NONE {
-        let second = root(stretch, terms, found.two, &found.roots[1]);
-        let (later, later_weighted) = integrals(stretch, terms, second);
-        let three = |first: V, second: V, all: V| first.abs() + (second - first).abs() + (all - second).abs();
-        areas = three(area, later, total).only_in(found.two, areas);
-        moments = three(weighted, later_weighted, moment).only_in(found.two, moments);
+    let (mut areas, mut moments) = (zero, zero);
+    let mut before = (zero, zero);
+    for number in 0..MOST_ROOTS {
+        let of = found.roots.with(number) & found.known;
+        if of == Set::NONE {
+            break;
+        }
+        let (area, weighted) = integrals(stretch, terms, found.roots.root(stretch, terms, number));
+        areas = (areas + (area - before.0).abs()).only_in(of, areas);
+        moments = (moments + (weighted - before.1).abs()).only_in(of, moments);
+        before = (area.only_in(of, before.0), weighted.only_in(of, before.1));
     }
-    ((areas.only_in(crossed, sums.0), moments.only_in(crossed, sums.1)), known)
+    areas += (total - before.0).abs();
+    moments += (moment - before.1).abs();
+    ((areas, moments), keeps_its_sign | found.known)
 }
 
 /// `∫e dt` and `∫t·e dt` over the stretch, of the layer to infinity.
@@ -146,4 +145,65 @@ fn integrals<V: Lanes>(stretch: &Stretch<'_, V>, terms: usize, s: V) -> (V, V) {
     let decayed = theta.decayed();
     let until = (all - beyond * decayed, first - weighted * decayed);
     with_layer(stretch, terms, until, (area, moment))
+}
+
+#[cfg(test)]
+mod tests {
+    use fearless_simd::{Level, dispatch, f64x8};
+
+    use super::super::signals::{End, Signals};
+    use super::*;
+
+    /// `e = −a + e^(−θ)·(10 − 7θ + θ²)` from 0 to 60 s at a rate of 1/s.
+    fn found<V: Lanes>(token: V::Token, a: f64) -> Vec<Option<(f64, f64)>> {
+        let all = |value: f64| V::all(token, value);
+        let mut error = Signals::<V>::zero(token);
+        error.smooth[0] = all(-a);
+        for (q, value) in error.layer.iter_mut().zip([10.0, -7.0, 2.0]) {
+            *q = all(value);
+        }
+        let mut end = End::new(token);
+        end.move_to(all(60.0), 3);
+        let stretch = Stretch {
+            start: all(0.0),
+            length: all(60.0),
+            setpoint: 0.0,
+            rate: all(1.0),
+            terms: 3,
+            end: &end,
+            deviation: &error,
+            deviation_sizes: error.sizes(3),
+            manipulated: &error,
+            manipulated_sizes: error.sizes(3),
+            load_estimate: None,
+        };
+        let ((area, moment), known) = areas(&stretch, (all(0.0), all(0.0)));
+        (0..V::COUNT).map(|l| known.has(l).then(|| (area[l], moment[l]))).collect()
+    }
+
+    #[test]
+    fn three_roots_within_the_layer_are_found() {
+        let a = 1e-3;
+        let e = |t: f64| -a + (-t).exp() * (10.0 - 7.0 * t + t * t);
+        // ∫e and ∫t·e from t on, the constant apart: Q + Q' + …, and the same of t·Q.
+        let area = |t: f64| -a * t - (-t).exp() * (5.0 - 5.0 * t + t * t);
+        let moment = |t: f64| -0.5 * a * t * t - (-t).exp() * (2.0 + 2.0 * t - 4.0 * t * t + t * t * t);
+        let root = |(mut low, mut high): (f64, f64)| {
+            for _ in 0..60 {
+                let middle = 0.5 * (low + high);
+                if (e(middle) < 0.0) == (e(low) < 0.0) { low = middle } else { high = middle }
+            }
+            low
+        };
+        let points = [0.0, root((0.5, 3.0)), root((3.0, 6.0)), root((6.0, 20.0)), 60.0];
+        let sum =
+            |of: &dyn Fn(f64) -> f64| points.windows(2).map(|w| (of(w[1]) - of(w[0])).abs()).sum::<f64>();
+        let lanes = dispatch!(Level::new(), simd => found::<f64x8<_>>(simd, a));
+        for lane in lanes {
+            let (found_area, found_moment) = lane.unwrap();
+            // 1e-13: cancellation between parts that are up to a hundred times the result.
+            assert!((found_area / sum(&area) - 1.0).abs() < 1e-13, "{found_area}");
+            assert!((found_moment / sum(&moment) - 1.0).abs() < 1e-13, "{found_moment}");
+        }
+    }
 }

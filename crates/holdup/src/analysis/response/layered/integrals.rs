@@ -3,7 +3,7 @@
 
 use super::super::measure::Measure;
 use super::areas::areas;
-use super::lanes::Lanes;
+use super::lanes::{Lanes, Set};
 use super::propagate::{Follow, Stretch};
 use super::segment::Segment;
 use super::signal::Signal;
@@ -12,68 +12,93 @@ use super::squares::squares;
 /// A part of a sum below this is left out: a hundred of them are 2e-12.
 pub(super) const ROUNDING: f64 = 2e-14;
 
-/// ISE, control energy, IAE and ITAE of each loop so far.
+/// The four integrals, of each loop.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Sums<T> {
+    pub(super) iae: T,
+    pub(super) ise: T,
+    pub(super) itae: T,
+    pub(super) energy: T,
+}
+
+/// The integrals over one stretch, and the loops for which they are decided: those of squares, and those of magnitudes.
+pub(super) struct Found<V> {
+    pub(super) sums: Sums<V>,
+    pub(super) squares_known: Set,
+    pub(super) areas_known: Set,
+}
+
+/// The integrals over a stretch; `so_far` are the sums they are added to.
+#[inline(always)]
+pub(super) fn integrals<V: Lanes>(stretch: &Stretch<'_, V>, so_far: Sums<V>) -> Found<V> {
+    let ((ise, errors_known), (energy, outputs_known)) = squares(stretch, (so_far.ise, so_far.energy));
+    let ((iae, itae), areas_known) = areas(stretch, (so_far.iae, so_far.itae));
+    Found { sums: Sums { iae, ise, itae, energy }, squares_known: errors_known & outputs_known, areas_known }
+}
+
+/// The integrals of each loop so far.
 pub(super) struct Integrals<V> {
-    ise: V,
-    energy: V,
-    iae: V,
-    itae: V,
-    /// One lane, where it goes alone.
-    alone: (Signal, Signal),
+    sums: Sums<V>,
 }
 
 impl<V: Lanes> Integrals<V> {
     pub(super) fn new(token: V::Token) -> Self {
         let zero = V::zero(token);
-        Self { ise: zero, energy: zero, iae: zero, itae: zero, alone: (Signal::ZERO, Signal::ZERO) }
+        let sums = Sums { iae: zero, ise: zero, itae: zero, energy: zero };
+        Self { sums }
     }
 
     /// IAE, ISE, ITAE and control energy of each loop.
     pub(super) fn finish(&self) -> Vec<[f64; 4]> {
-        (0..V::COUNT).map(|l| [self.iae[l], self.ise[l], self.itae[l], self.energy[l]]).collect()
+        let Sums { iae, ise, itae, energy } = self.sums;
+        (0..V::COUNT).map(|l| [iae[l], ise[l], itae[l], energy[l]]).collect()
     }
 
     /// What [`Measure`] makes of one lane of a stretch.
     #[cold]
-    fn of_one(&mut self, stretch: &Stretch<'_, V>, l: usize, of: impl Fn(&mut Measure, &Segment<'_>)) {
-        let terms = stretch.terms;
-        stretch.deviation.of_loop(l, -1.0, terms, &mut self.alone.0);
-        stretch.manipulated.of_loop(l, 1.0, terms, &mut self.alone.1);
-        let segment = Segment {
-            start: stretch.start[l],
-            length: stretch.length[l],
-            setpoint: stretch.setpoint,
-            rate: stretch.rate[l],
-            terms,
-            error: &self.alone.0,
-            manipulated: &self.alone.1,
-            load_estimate: None,
-            stretch: None,
-        };
+    fn add_one(&mut self, stretch: &Stretch<'_, V>, l: usize, of: impl Fn(&mut Measure, &Segment<'_>)) {
+        let sums = &mut self.sums;
         let mut measure = Measure::new(None);
-        (measure.ise, measure.energy) = (self.ise[l], self.energy[l]);
-        (measure.iae, measure.itae) = (self.iae[l], self.itae[l]);
-        of(&mut measure, &segment);
-        (self.ise[l], self.energy[l]) = (measure.ise, measure.energy);
-        (self.iae[l], self.itae[l]) = (measure.iae, measure.itae);
+        (measure.ise, measure.energy) = (sums.ise[l], sums.energy[l]);
+        (measure.iae, measure.itae) = (sums.iae[l], sums.itae[l]);
+        of_one(stretch, l, |segment| of(&mut measure, segment));
+        (sums.ise[l], sums.energy[l]) = (measure.ise, measure.energy);
+        (sums.iae[l], sums.itae[l]) = (measure.iae, measure.itae);
     }
+}
+
+/// Does this with one lane of a stretch.
+#[cold]
+pub(super) fn of_one<V: Lanes>(stretch: &Stretch<'_, V>, l: usize, of: impl FnOnce(&Segment<'_>)) {
+    let (mut error, mut manipulated) = (Signal::ZERO, Signal::ZERO);
+    stretch.deviation.of_loop(l, -1.0, stretch.terms, &mut error);
+    stretch.manipulated.of_loop(l, 1.0, stretch.terms, &mut manipulated);
+    of(&Segment {
+        start: stretch.start[l],
+        length: stretch.length[l],
+        setpoint: stretch.setpoint,
+        rate: stretch.rate[l],
+        terms: stretch.terms,
+        error: &error,
+        manipulated: &manipulated,
+        load_estimate: None,
+    });
 }
 
 impl<V: Lanes> Follow<V> for Integrals<V> {
     #[inline(always)]
     fn stretch(&mut self, stretch: &Stretch<'_, V>) {
-        let (errors, outputs) = squares(stretch, (self.ise, self.energy));
-        let known = errors.1 & outputs.1;
-        self.ise = (self.ise + errors.0).only_in(known, self.ise);
-        self.energy = (self.energy + outputs.0).only_in(known, self.energy);
-        for l in (V::every() & !known).iter() {
-            self.of_one(stretch, l, Measure::add_squares);
+        let Found { sums: more, squares_known, areas_known } = integrals(stretch, self.sums);
+        let sums = &mut self.sums;
+        sums.ise = (sums.ise + more.ise).only_in(squares_known, sums.ise);
+        sums.energy = (sums.energy + more.energy).only_in(squares_known, sums.energy);
+        sums.iae = (sums.iae + more.iae).only_in(areas_known, sums.iae);
+        sums.itae = (sums.itae + more.itae).only_in(areas_known, sums.itae);
+        for l in (V::every() & !squares_known).iter() {
+            self.add_one(stretch, l, Measure::add_squares);
         }
-        let ((area, moment), known) = areas(stretch, (self.iae, self.itae));
-        self.iae = (self.iae + area).only_in(known, self.iae);
-        self.itae = (self.itae + moment).only_in(known, self.itae);
-        for l in (V::every() & !known).iter() {
-            self.of_one(stretch, l, Measure::add_areas);
+        for l in (V::every() & !areas_known).iter() {
+            self.add_one(stretch, l, Measure::add_areas);
         }
     }
 }

@@ -1,14 +1,11 @@
-//! The metrics of one segment: integrals in closed form as for many loops, everything else by a bound or by monotony where
-//! that decides, and by polynomials on parts of the segment where neither does.
+//! The metrics of one segment: by a bound or by monotony where that decides, and by polynomials on parts of the segment where
+//! neither does. Integrals in closed form are found several segments at a time (`gathered.rs`).
 
 use super::super::legendre::{ends, square_integral};
 use super::super::measure::{BANDS, Measure};
-use super::areas::areas;
 use super::extrema::{Extrema, extrema};
-use super::lanes::{One, Set};
 use super::segment::{Part, Segment};
 use super::signal::{Signal, sum_of_magnitudes};
-use super::squares::squares;
 
 /// The parts of a signal, made when first asked for.
 struct Parts<'a> {
@@ -30,58 +27,27 @@ impl<'a> Parts<'a> {
 impl Measure {
     /// Adds a segment.
     pub(in super::super) fn add_segment(&mut self, segment: &Segment<'_>) {
+        self.add_integrals(segment);
         if self.integrals_only {
-            self.add_integrals(segment);
             return;
         }
         let mut errors = Parts::new(segment, segment.error);
         let mut outputs = Parts::new(segment, segment.manipulated);
-        self.segment_squares(segment, &mut errors, &mut outputs);
-        self.segment_integrals(segment, &mut errors);
         self.segment_variation(segment, &mut outputs);
         self.segment_extremes(segment, &mut errors);
         self.segment_tracking(segment, &mut errors);
         self.last.0 = segment.setpoint - segment.ends(segment.error).1;
     }
 
-    /// Adds the integrals of a segment, and nothing else.
-    pub(super) fn add_integrals(&mut self, segment: &Segment<'_>) {
-        self.add_squares(segment);
-        self.add_areas(segment);
-    }
-
-    /// Adds ISE and control energy of a segment.
+    /// Adds ISE and control energy of a segment, part by part.
     pub(super) fn add_squares(&mut self, segment: &Segment<'_>) {
-        let mut outputs = Parts::new(segment, segment.manipulated);
-        self.segment_squares(segment, &mut Parts::new(segment, segment.error), &mut outputs);
+        self.ise += square(&segment.parts(segment.error));
+        self.energy += square(&segment.parts(segment.manipulated));
     }
 
-    /// Adds IAE and ITAE of a segment.
+    /// Adds IAE and ITAE of a segment, part by part.
     pub(super) fn add_areas(&mut self, segment: &Segment<'_>) {
-        self.segment_integrals(segment, &mut Parts::new(segment, segment.error));
-    }
-
-    /// ∫e² and ∫u².
-    fn segment_squares(&mut self, segment: &Segment<'_>, errors: &mut Parts<'_>, outputs: &mut Parts<'_>) {
-        let so_far = (One(self.ise), One(self.energy));
-        let undecided = (One(0.0), Set::NONE);
-        let of_both = segment.stretch.map_or((undecided, undecided), |stretch| squares(stretch, so_far));
-        let ((ise, ise_known), (energy, energy_known)) = of_both;
-        self.ise += if ise_known.has(0) { ise.0 } else { square(errors) };
-        self.energy += if energy_known.has(0) { energy.0 } else { square(outputs) };
-    }
-
-    /// ∫|e| and ∫t·|e|.
-    fn segment_integrals(&mut self, segment: &Segment<'_>, errors: &mut Parts<'_>) {
-        let so_far = (One(self.iae), One(self.itae));
-        if let Some(((area, moment), known)) = segment.stretch.map(|stretch| areas(stretch, so_far))
-            && known.has(0)
-        {
-            self.iae += area.0;
-            self.itae += moment.0;
-            return;
-        }
-        for part in errors.get() {
+        for part in segment.parts(segment.error) {
             self.absolute_integrals((part.start, part.length), &part.poly);
         }
     }
@@ -159,6 +125,6 @@ impl Measure {
 }
 
 /// `∫x²` over the segment [unit² · s], part by part.
-fn square(parts: &mut Parts<'_>) -> f64 {
-    parts.get().iter().map(|part| 0.5 * part.length * square_integral(&part.poly)).sum()
+fn square(parts: &[Part]) -> f64 {
+    parts.iter().map(|part| 0.5 * part.length * square_integral(&part.poly)).sum()
 }

@@ -23,6 +23,7 @@ mod alone;
 mod areas;
 mod crossings;
 mod extrema;
+mod gathered;
 mod integrals;
 mod lanes;
 mod measure;
@@ -36,6 +37,7 @@ mod states;
 mod tables;
 mod together;
 
+pub(super) use gathered::Gathered;
 pub(super) use lanes::{MOST, exponential};
 pub(super) use segment::Segment;
 pub(super) use signal::{LAYER_TERMS, Layer, Signal};
@@ -48,6 +50,7 @@ use super::error::ResponseError;
 use super::scenario::Scenario;
 use super::system::System;
 use alone::Alone;
+use gathered::OfOne;
 use integrals::Integrals;
 use lanes::{Lanes, One};
 use plan::Plan;
@@ -62,14 +65,24 @@ mod tests;
 pub(super) fn run(
     system: &System,
     scenario: &Scenario,
-    watch: &mut impl Watch,
+    watch: &mut dyn Watch,
 ) -> Option<Result<Outcome, ResponseError>> {
-    run_together::<One>((), &[system], scenario, &mut Alone::new(watch))
+    dispatch!(Level::new(), simd => simd.vectorize(
+        #[inline(always)]
+        || run_together::<One<_>>(simd, &[system], scenario, &mut Alone::new(watch))
+    ))
 }
 
 /// IAE, ISE, ITAE and control energy of a loop; `None` as for [`run`].
 pub(super) fn integrals(system: &System, scenario: &Scenario) -> Option<[f64; 4]> {
-    integrals_of::<One>((), &[system], scenario)?.pop()
+    dispatch!(Level::new(), simd => simd.vectorize(
+        #[inline(always)]
+        || {
+            let mut integrals = OfOne::<f64x8<_>>::new(simd);
+            run_together::<One<_>>(simd, &[system], scenario, &mut integrals)?.ok()?;
+            Some(integrals.finish())
+        }
+    ))
 }
 
 /// The same of [`MOST`] loops, to which the same happens in the same order; `None` as for [`run`] for any of them, or where they

@@ -1,9 +1,7 @@
 //! What happens on one segment, and the same cut into cells where a question needs plain polynomials.
 
 use super::super::legendre::{Poly, TERMS, from_powers, interpolated, restricted, tail};
-use super::lanes::One;
-use super::propagate::Stretch;
-use super::signal::{Signal, decay, has_decayed, sum_of_magnitudes};
+use super::signal::{Layer, Signal, decay, has_decayed, sum_of_magnitudes};
 use super::tables::{EDGES, INVERSE, TABLES};
 use crate::analysis::widest;
 
@@ -25,8 +23,6 @@ pub(in super::super) struct Segment<'a> {
     pub(in super::super) manipulated: &'a Signal,
     /// Load estimate of the observer.
     pub(in super::super) load_estimate: Option<&'a Signal>,
-    /// The same as the only loop of a stretch; `None` for one of several.
-    pub(super) stretch: Option<&'a Stretch<'a, One>>,
 }
 
 /// A signal on a part of a segment, as a Legendre series.
@@ -130,9 +126,10 @@ impl Segment<'_> {
     /// From here on, in units of the fast pole's time constant, the layer of a signal stays below `floor`.
     pub(super) fn layer_below(&self, signal: &Signal, floor: f64) -> f64 {
         let sizes = signal.layer.map(f64::abs);
-        let bound = |bounds: &[f64]| dot(&sizes[..self.terms], bounds);
-        let edge = EDGES.iter().zip(&TABLES.bounds).find(|(_, bounds)| bound(*bounds) <= floor);
-        edge.map_or_else(|| decay(self.terms), |(edge, _)| *edge)
+        // From edge to edge no bound rises.
+        let above = |bounds: &Layer| dot(&sizes[..self.terms], bounds) > floor;
+        let first = TABLES.bounds.partition_point(above);
+        EDGES.get(first).copied().unwrap_or_else(|| decay(self.terms))
     }
 
     fn cut(&self, signal: &Signal, (from, to): (f64, f64), parts: &mut Vec<Part>) {

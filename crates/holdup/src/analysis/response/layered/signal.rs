@@ -15,10 +15,12 @@ pub(in super::super) struct Signal {
     pub(in super::super) smooth: Poly,
     /// Coefficients of θ^j/j!, where θ is the time since the start in units of the fast pole; zero beyond the segment's terms.
     pub(in super::super) layer: Layer,
+    /// Number of smooth coefficients, at least 1; beyond, they are zero.
+    pub(in super::super) order: usize,
 }
 
 impl Signal {
-    pub(super) const ZERO: Self = Self { smooth: [0.0; TERMS], layer: [0.0; LAYER_TERMS] };
+    pub(super) const ZERO: Self = Self { smooth: [0.0; TERMS], layer: [0.0; LAYER_TERMS], order: 1 };
 
     /// A bound on the magnitude of the layer: no `e^(−θ)·θ^j/j!` exceeds 1.
     #[inline(always)]

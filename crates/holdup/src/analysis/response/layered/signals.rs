@@ -82,8 +82,8 @@ impl<V: Lanes> Signals<V> {
     #[inline(always)]
     pub(super) fn fill(&mut self, terms: usize) {
         let zero = self.smooth[0].like(0.0);
-        self.smooth[self.order..in_blocks(self.order)].fill(zero);
-        self.layer[terms..in_blocks(terms)].fill(zero);
+        fill_last(&mut self.smooth, self.order, zero);
+        fill_last(&mut self.layer, terms, zero);
     }
 
     /// All blocks of powers of s.
@@ -134,6 +134,7 @@ impl<V: Lanes> Signals<V> {
         for (q, lanes) in signal.layer.iter_mut().zip(&self.layer[..terms]) {
             *q = factor * lanes[l];
         }
+        signal.order = self.order;
     }
 
     /// Keeps the part before the point `s` and returns the part after it; `end` is that point on the layers' axis.
@@ -144,6 +145,17 @@ impl<V: Lanes> Signals<V> {
         restrict(&mut second.smooth[..self.order], s, s.like(1.0));
         second.layer = end.shifted(&second.layer, terms);
         second
+    }
+}
+
+/// Fills the last block of so many numbers with zeros; number by number, as it is less than a call.
+#[inline(always)]
+fn fill_last<V: Lanes>(list: &mut [V], count: usize, zero: V) {
+    let (blocks, _) = list.as_chunks_mut::<BLOCK>();
+    if let Some(block) = blocks.get_mut(count / BLOCK).filter(|_| !count.is_multiple_of(BLOCK)) {
+        for (k, number) in block.iter_mut().enumerate() {
+            *number = if k < count % BLOCK { *number } else { zero };
+        }
     }
 }
 
@@ -276,30 +288,36 @@ pub(super) fn in_chains<V: Lanes, W>(
 
 #[cfg(test)]
 mod tests {
+    use fearless_simd::{Level, dispatch};
+
     use super::*;
     use crate::analysis::response::layered::lanes::One;
     use crate::analysis::response::layered::segment::layer_at;
 
-    #[test]
-    fn both_parts_of_split_signals_are_the_signals() {
-        let mut signals: Signals<One> = Signals::zero(());
+    /// A signal, and its parts before and after `s`, which is `theta` on the layers' axis.
+    fn split<V: Lanes>(token: V::Token, (s, theta): (f64, f64)) -> [Signal; 3] {
+        let mut signals: Signals<V> = Signals::zero(token);
         signals.order = 12;
         for j in 0..12 {
-            let j_number = f64::from(i32::try_from(j).unwrap());
-            signals.smooth[j] = One(0.7f64.powf(j_number));
-            signals.layer[j] = One((-0.6f64).powi(i32::try_from(j).unwrap()));
+            let power = |base: f64| V::all(token, base.powi(i32::try_from(j).unwrap()));
+            (signals.smooth[j], signals.layer[j]) = (power(0.7), power(-0.6));
         }
+        let mut end = End::new(token);
+        end.move_to(V::all(token, theta), 12);
+        let mut first = signals.clone();
+        let second = first.split(V::all(token, s), &end, 12);
+        [signals, first, second].map(|signals| {
+            let mut signal = Signal::ZERO;
+            signals.of_loop(0, 1.0, 12, &mut signal);
+            signal
+        })
+    }
+
+    #[test]
+    fn both_parts_of_split_signals_are_the_signals() {
         for (at, theta_there) in [(0.2, 3.0), (-0.4, 7.0)] {
-            let mut end = End::new(());
-            end.move_to(One(theta_there), 12);
-            let mut first = signals.clone();
-            let second = first.split(One(at), &end, 12);
-            let of = |signals: &Signals<One>| {
-                let mut signal = Signal::ZERO;
-                signals.of_loop(0, 1.0, 12, &mut signal);
-                signal
-            };
-            let (whole, first, second) = (of(&signals), of(&first), of(&second));
+            let parts = dispatch!(Level::new(), simd => split::<One<_>>(simd, (at, theta_there)));
+            let [whole, first, second] = parts;
             let value = |signal: &Signal, s: f64| signal.smooth.iter().rev().fold(0.0, |sum, c| sum * s + c);
             // 1e-14: rounding of a few dozen terms of size 1.
             for s in [-1.0, -0.3, 0.9] {

@@ -196,15 +196,25 @@ pub(super) fn dot<V: Lanes>(list: &[V], weights: &[f64], like: V) -> V {
 
 #[cfg(test)]
 mod tests {
+    use fearless_simd::{Level, dispatch};
+
     use super::super::lanes::One;
     use super::*;
+
+    /// Half of `∫(Σ c_j·s^j)²`, and `∫ (1 − 2θ + 3θ²/2)²·e^(−2θ)`.
+    fn both<V: Lanes>(token: V::Token, c: &[f64]) -> (f64, f64) {
+        let all = |value: &f64| V::all(token, *value);
+        let layer: Vec<V> = [1.0, -2.0, 3.0, 0.0].iter().map(all).collect();
+        let smooth = smooth_square(&c.iter().map(all).collect::<Vec<V>>());
+        (smooth[0], square_sum(&layer, all(&6.0), all(&0.0))[0])
+    }
 
     #[test]
     fn both_gauss_rules_are_exact() {
         for order in [4_u32, 12, 16, 20, 24] {
             let c: Vec<f64> =
                 (0..order).map(|j| (1.0 + f64::from(j % 3)) * (-0.9f64).powi(j.cast_signed())).collect();
-            let found = smooth_square(&c.iter().map(|c| One(*c)).collect::<Vec<_>>());
+            let found = dispatch!(Level::new(), simd => both::<One<_>>(simd, &c)).0;
             let mut expected = 0.0;
             for (i, a) in (0..order).zip(&c) {
                 for (j, b) in (0..order).zip(&c).filter(|(j, _)| (i + j) % 2 == 0) {
@@ -212,17 +222,16 @@ mod tests {
                 }
             }
             // 1e-14: rounding of the coefficients' sums, which are up to ten times the result.
-            assert!((found.0 / expected - 1.0).abs() < 1e-14, "{order}");
+            assert!((found / expected - 1.0).abs() < 1e-14, "{order}");
         }
     }
 
     #[test]
     fn the_square_of_a_layer_is_that_of_its_closed_form() {
-        // (1 − 2θ + 3θ²/2)²·e^(−2θ), term by term: ∫ θ^n·e^(−2θ) = n!/2^(n+1).
-        let mut layer = [One(0.0); 4];
-        (layer[0], layer[1], layer[2]) = (One(1.0), One(-2.0), One(3.0));
+        let found = dispatch!(Level::new(), simd => both::<One<_>>(simd, &[1.0; 4])).1;
+        // Term by term: ∫ θ^n·e^(−2θ) = n!/2^(n+1).
         let expected = 0.5 - 4.0 / 4.0 + (4.0 + 3.0) * 2.0 / 8.0 - 6.0 * 6.0 / 16.0 + 2.25 * 24.0 / 32.0;
         // 1e-15: sums of a few numbers of size 1.
-        assert!((square_sum(&layer, One(6.0), One(0.0)).0 - expected).abs() < 1e-15);
+        assert!((found - expected).abs() < 1e-15);
     }
 }

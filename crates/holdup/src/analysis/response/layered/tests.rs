@@ -28,9 +28,9 @@ fn both(closed: &ClosedLoop, scenario: &Scenario) -> (Option<Response>, Response
     let system = System::new(closed);
     let (mut fast, mut general): (Measure, Measure) = (measure_of(scenario), measure_of(scenario));
     let outcome = run(&system, scenario, &mut fast);
-    let fast = outcome.map(|outcome| response(scenario, &fast, outcome.unwrap()));
+    let fast = outcome.map(|outcome| response(scenario, fast, outcome.unwrap()));
     let outcome = Solver::new(&system).run(scenario, &mut general).unwrap();
-    (fast, response(scenario, &general, outcome))
+    (fast, response(scenario, general, outcome))
 }
 
 #[track_caller]
@@ -205,7 +205,7 @@ proptest! {
             let closed = ClosedLoop::new(process, &controller);
             let mut general = measure_of(&scenario);
             let outcome = Solver::new(&System::new(&closed)).run(&scenario, &mut general).unwrap();
-            let general = Integrals::from(&response(&scenario, &general, outcome).metrics);
+            let general = Integrals::from(&response(&scenario, general, outcome).metrics);
             for found in [together.unwrap(), super::super::integrals(&closed, &scenario).unwrap()] {
                 let pairs = [
                     (found.iae, general.iae),

@@ -202,7 +202,7 @@ impl SampledLoop {
             position = moment.valve.0 + moment.valve.1 * moment.piece.length;
         });
         let outcome = Outcome { overflow_at: count.overflow_at, impulsive: false };
-        let mut response = response(scenario, &measure, outcome);
+        let mut response = response(scenario, measure, outcome);
         response.final_manipulated_variable += rest;
         if count.overflow_at.is_none() {
             response.metrics.valve_travel = Some(count.travel);

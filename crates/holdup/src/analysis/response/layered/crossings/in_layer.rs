@@ -6,15 +6,16 @@ use super::super::propagate::Stretch;
 use super::super::signals::BLOCK;
 use super::super::squares::dot;
 use super::super::tables::{INVERSE, TABLES};
+use super::MOST_ROOTS;
 
 /// Coefficients after which it is asked again whether there can be another change of sign.
 const RUN: usize = 16;
 const RUN_LENGTH: f64 = 16.0;
 
-/// Loops with at most one root up to `over`, and with none: as many as the t_j change their sign, as far as these matter
-/// before `over`, where no rounding may hide a change.
+/// Loops with at most 0, 1, … roots up to `over`: as many as the t_j change their sign, as far as these matter before `over`,
+/// where no rounding may hide a change.
 #[inline(always)]
-pub(super) fn roots_in_layer<V: Lanes>(stretch: &Stretch<'_, V>, over: f64) -> (Set, Set) {
+pub(super) fn changes_in_layer<V: Lanes>(stretch: &Stretch<'_, V>, over: f64) -> [Set; MOST_ROOTS + 1] {
     let e = stretch.deviation;
     let zero = stretch.length.like(0.0);
     let per_theta = zero.like(2.0) / (stretch.rate * stretch.length);
@@ -58,16 +59,20 @@ pub(super) fn roots_in_layer<V: Lanes>(stretch: &Stretch<'_, V>, over: f64) -> (
         beyond = if steady { 0.0 } else { beyond - RUN_LENGTH };
     }
     let certain = zero.below(signs.least);
-    (certain & !signs.twice, certain & !signs.once)
+    let mut at_most = [certain; MOST_ROOTS + 1];
+    for k in 0..=MOST_ROOTS {
+        at_most[k] = certain & !signs.more_than[k];
+    }
+    at_most
 }
 
-/// Counts sign changes up to two.
+/// Counts sign changes.
 struct Changes<V> {
     /// Size below which, times 1e-13, a number may have either sign.
     size: V,
     negative: Option<Set>,
-    once: Set,
-    twice: Set,
+    /// Loops with more than 0, 1, … changes.
+    more_than: [Set; MOST_ROOTS + 1],
     /// Not positive once a sign was not certain.
     least: V,
 }
@@ -76,7 +81,7 @@ impl<V: Lanes> Changes<V> {
     #[inline(always)]
     fn new(first: V) -> Self {
         let least = first.like(f64::INFINITY);
-        Self { size: first.abs(), negative: None, once: Set::NONE, twice: Set::NONE, least }
+        Self { size: first.abs(), negative: None, more_than: [Set::NONE; MOST_ROOTS + 1], least }
     }
 
     /// The next number is `own` plus the value of the polynomial with these differences, which moves on.
@@ -87,8 +92,12 @@ impl<V: Lanes> Changes<V> {
         let negative = t.below(t.like(0.0));
         let before = self.negative.unwrap_or(negative);
         let changed = negative & !before | before & !negative;
-        self.twice = self.twice | self.once & changed;
-        self.once = self.once | changed;
+        if changed != Set::NONE {
+            for k in (1..=MOST_ROOTS).rev() {
+                self.more_than[k] = self.more_than[k] | self.more_than[k - 1] & changed;
+            }
+            self.more_than[0] = self.more_than[0] | changed;
+        }
         self.negative = Some(negative);
         for i in 1..differences.len() {
             let next = differences[i];

@@ -13,12 +13,12 @@ use super::propagate::Stretch;
 use super::signal::LAYER_TERMS;
 use super::signals::Signals;
 use super::tables::INVERSE;
-use in_layer::roots_in_layer;
+use in_layer::changes_in_layer;
 use parts::{PARTS, Parts, begin, bounds_in_layer};
 
 /// A root: it is between these points, where the error has values of these signs.
 #[derive(Clone, Copy)]
-pub(super) struct Bracket<V> {
+struct Bracket<V> {
     ends: (V, V),
     values: (V, V),
 }
@@ -31,14 +31,63 @@ impl<V: Lanes> Bracket<V> {
     }
 }
 
+/// Most roots of one error on one stretch.
+pub(super) const MOST_ROOTS: usize = 3;
+
+/// Roots in their order, each with the loops that have it.
+#[derive(Clone, Copy)]
+pub(super) struct Roots<V> {
+    /// Loops with at least 1, 2, … of them, and at last those with too many.
+    at_least: [Set; MOST_ROOTS + 1],
+    brackets: [Bracket<V>; MOST_ROOTS],
+}
+
+impl<V: Lanes> Roots<V> {
+    #[inline(always)]
+    fn new(whole: Bracket<V>) -> Self {
+        Self { at_least: [Set::NONE; MOST_ROOTS + 1], brackets: [whole; MOST_ROOTS] }
+    }
+
+    /// Adds the next root of these loops.
+    #[inline(always)]
+    fn push(&mut self, of: Set, bracket: Bracket<V>) {
+        let mut of = of;
+        for k in 0..=MOST_ROOTS {
+            let here = of & !self.at_least[k];
+            if k < MOST_ROOTS && here != Set::NONE {
+                self.brackets[k] = bracket.only_in(here, self.brackets[k]);
+            }
+            self.at_least[k] = self.at_least[k] | here;
+            of = of & !here;
+        }
+    }
+
+    /// Adds the roots that others have for these loops.
+    #[inline(always)]
+    fn extend(&mut self, of: Set, others: &Self) {
+        for k in 0..MOST_ROOTS {
+            self.push(of & others.at_least[k], others.brackets[k]);
+        }
+    }
+
+    /// Loops with the root of this number.
+    #[inline(always)]
+    pub(super) fn with(&self, number: usize) -> Set {
+        self.at_least[number]
+    }
+
+    /// The root of this number of the loops that have it.
+    #[inline(always)]
+    pub(super) fn root(&self, stretch: &Stretch<'_, V>, terms: usize, number: usize) -> V {
+        root(stretch, terms, self.at_least[number], &self.brackets[number])
+    }
+}
+
 /// What is known of the roots of the errors.
 pub(super) struct Crossings<V> {
-    /// Loops with no root, with one, and with two.
-    pub(super) none: Set,
-    pub(super) one: Set,
-    pub(super) two: Set,
-    /// The first and the second root.
-    pub(super) roots: [Bracket<V>; 2],
+    /// Loops all of whose roots are found.
+    pub(super) known: Set,
+    pub(super) roots: Roots<V>,
 }
 
 /// Where two numbers differ in sign.
@@ -65,58 +114,73 @@ pub(super) fn crossings<V: Lanes>(
     let end = end + layer_end;
     let first = if stretch.terms > 0 { start + e.layer[0] } else { start };
     let whole = Bracket { ends: (theta.like(-1.0), theta.like(1.0)), values: (first, end) };
-    let crossed = apart(first, end);
     let monotone = open & (theta * slopes.layer * 0.5).below(slopes.smooth);
     let undecided = open & !monotone;
-    let (none, one) = (monotone & !crossed, monotone & crossed);
-    let mut found = Crossings { none, one, two: Set::NONE, roots: [whole; 2] };
+    let mut found = Crossings { known: monotone, roots: Roots::new(whole) };
+    found.roots.push(monotone & apart(first, end), whole);
     if undecided == Set::NONE {
         return found;
     }
     let parts = Parts::new(stretch, slopes.fourth, (undecided, floor));
     // The first part from which on everything is decided, for each loop; what is before it goes to Descartes.
     let open = (0..PARTS).fold(Set::NONE, |open, k| open | parts.open[k]) & undecided;
-    found.add(&parts, 0, undecided & !open, (Set::NONE, whole));
+    found.add_parts(&parts, 0, undecided & !open);
     if open == Set::NONE || stretch.terms == 0 {
         return found;
     }
     let from = (0..PARTS).rposition(|k| parts.open[k] & open != Set::NONE).map_or(0, |last| last + 1);
     let over = begin(from) * theta.largest();
-    let (at_most_one, none) = roots_in_layer(stretch, over);
-    let (until, value) =
-        if from < PARTS { (parts.at(from), parts.values[from]) } else { (whole.ends.1, end) };
-    // With at most one root it is there exactly when the sign has changed.
-    let crossed = apart(first, value);
-    let decided = open & at_most_one & (!none | !crossed);
-    let early = Bracket { ends: (whole.ends.0, until), values: (first, value) };
-    found.add(&parts, from, decided, (crossed, early));
+    let until = if from < PARTS { (parts.at(from), parts.values[from]) } else { (whole.ends.1, end) };
+    let (early, decided) =
+        early(stretch, over, open, Bracket { ends: (whole.ends.0, until.0), values: (first, until.1) });
+    found.roots.extend(decided, &early);
+    found.add_parts(&parts, from, decided);
     found
 }
 
+/// The roots of these loops before the end of the bracket, where their layers are strong, and the loops for which these are all.
+#[inline(always)]
+fn early<V: Lanes>(stretch: &Stretch<'_, V>, over: f64, open: Set, bracket: Bracket<V>) -> (Roots<V>, Set) {
+    let at_most = changes_in_layer(stretch, over);
+    let mut roots = Roots::new(bracket);
+    // With at most one root it is there exactly when the sign has changed.
+    let crossed = apart(bracket.values.0, bracket.values.1);
+    let decided = open & at_most[1] & !(at_most[0] & crossed);
+    roots.push(decided & crossed, bracket);
+    let several = open & at_most[MOST_ROOTS] & !at_most[1];
+    if several == Set::NONE {
+        return (roots, decided);
+    }
+    // As many roots as there can be, each between two points.
+    let reach = bracket.ends.1 - bracket.ends.0;
+    let mut before = (bracket.ends.0, bracket.values.0);
+    for part in POINTS {
+        let at = reach.scaled_plus(part, bracket.ends.0);
+        let here = if part < 1.0 { (at, values(stretch, at)) } else { (bracket.ends.1, bracket.values.1) };
+        let between = Bracket { ends: (before.0, here.0), values: (before.1, here.1) };
+        roots.push(several & apart(before.1, here.1), between);
+        before = here;
+    }
+    let all = (1..MOST_ROOTS).fold(Set::NONE, |all, k| all | roots.at_least[k] & at_most[k + 1]);
+    (roots, decided | several & all & !roots.at_least[MOST_ROOTS])
+}
+
+/// Where several early roots are looked for, as parts of the stretch of time that they are in: densest where layers begin.
+const POINTS: [f64; 12] = [0.02, 0.04, 0.08, 0.13, 0.19, 0.26, 0.34, 0.43, 0.53, 0.65, 0.8, 1.0];
+
 impl<V: Lanes> Crossings<V> {
-    /// Adds loops whose roots are decided: those in the parts from number `from` on, and one before them where `early`.
+    /// Adds loops whose roots are decided: those in the parts from number `from` on.
     #[inline(always)]
-    fn add(&mut self, parts: &Parts<V>, from: usize, of: Set, (early, bracket): (Set, Bracket<V>)) {
-        let (mut once, mut twice, mut more) = (of & early, Set::NONE, Set::NONE);
-        self.roots[0] = bracket.only_in(once, self.roots[0]);
+    fn add_parts(&mut self, parts: &Parts<V>, from: usize, of: Set) {
         for k in from..PARTS {
             let changed = of & parts.changed[k];
             if changed == Set::NONE {
                 continue;
             }
-            let here = Bracket {
-                ends: (parts.at(k), parts.at(k + 1)),
-                values: (parts.values[k], parts.values[k + 1]),
-            };
-            self.roots[0] = here.only_in(changed & !once, self.roots[0]);
-            self.roots[1] = here.only_in(changed & once & !twice, self.roots[1]);
-            more = more | changed & twice;
-            twice = twice | changed & once;
-            once = once | changed;
+            let ends = (parts.at(k), parts.at(k + 1));
+            self.roots.push(changed, Bracket { ends, values: (parts.values[k], parts.values[k + 1]) });
         }
-        self.none = self.none | of & !once;
-        self.one = self.one | once & !twice;
-        self.two = self.two | twice & !more;
+        self.known = self.known | of & !self.roots.at_least[MOST_ROOTS];
     }
 }
 
@@ -147,9 +211,40 @@ impl<V: Lanes> Slopes<V> {
     }
 }
 
+/// The values of the errors at these points.
+#[inline(always)]
+fn values<V: Lanes>(stretch: &Stretch<'_, V>, s: V) -> V {
+    let half_theta = stretch.rate * stretch.length * 0.5;
+    value_and_slope(stretch.deviation, stretch.terms, half_theta, s).0
+}
+
+/// Value and derivative by s.
+#[inline(always)]
+fn value_and_slope<V: Lanes>(e: &Signals<V>, terms: usize, half_theta: V, s: V) -> (V, V) {
+    let zero = s.like(0.0);
+    let (mut value, mut slope) = (zero, zero);
+    for c in e.smooth[..e.order].iter().rev() {
+        slope = slope.times_plus(s, value);
+        value = value.times_plus(s, *c);
+    }
+    if terms > 0 {
+        let theta = (half_theta * (s + zero.like(1.0))).max(zero).min(zero.like(700.0));
+        let (mut sum, mut rise, mut next) = (zero, zero, zero);
+        for (j, q) in e.layer[..terms].iter().enumerate().rev() {
+            sum = (sum * theta).scaled_plus(INVERSE[j + 1], *q);
+            rise = (rise * theta).scaled_plus(INVERSE[j + 1], next - *q);
+            next = *q;
+        }
+        let decayed = theta.decayed();
+        value = sum.times_plus(decayed, value);
+        slope += half_theta * rise * decayed;
+    }
+    (value, slope)
+}
+
 /// The root of these loops that is in the bracket.
 #[inline(always)]
-pub(super) fn root<V: Lanes>(stretch: &Stretch<'_, V>, terms: usize, of: Set, bracket: &Bracket<V>) -> V {
+fn root<V: Lanes>(stretch: &Stretch<'_, V>, terms: usize, of: Set, bracket: &Bracket<V>) -> V {
     let e = stretch.deviation;
     let zero = stretch.length.like(0.0);
     let half_theta = stretch.rate * stretch.length * 0.5;
@@ -157,27 +252,10 @@ pub(super) fn root<V: Lanes>(stretch: &Stretch<'_, V>, terms: usize, of: Set, br
     let (start, end) = bracket.values;
     let mut s = (low - start * (high - low) / (end - start)).only_in(of, zero);
     let mut left = of;
-    let layer = &e.layer[..terms];
     for _ in 0..100 {
         let inside = low.below(s) & s.below(high);
         s = ((low + high) * 0.5).only_in(left & !inside, s);
-        let (mut value, mut slope) = (zero, zero);
-        for c in e.smooth[..e.order].iter().rev() {
-            slope = slope.times_plus(s, value);
-            value = value.times_plus(s, *c);
-        }
-        if terms > 0 {
-            let theta = (half_theta * (s + zero.like(1.0))).max(zero).min(zero.like(700.0));
-            let (mut sum, mut rise, mut next) = (zero, zero, zero);
-            for (j, q) in layer.iter().enumerate().rev() {
-                sum = (sum * theta).scaled_plus(INVERSE[j + 1], *q);
-                rise = (rise * theta).scaled_plus(INVERSE[j + 1], next - *q);
-                next = *q;
-            }
-            let decayed = theta.decayed();
-            value = sum.times_plus(decayed, value);
-            slope += half_theta * rise * decayed;
-        }
+        let (value, slope) = value_and_slope(e, terms, half_theta, s);
         let after = left & apart(value, start);
         high = s.only_in(after, high);
         low = s.only_in(left & !after, low);

@@ -2,35 +2,46 @@
 
 use std::ops::{Add, AddAssign, Div, Index, IndexMut, Mul, Neg, Sub};
 
+use fearless_simd::Simd;
+
 use super::{Lanes, Set};
-use crate::analysis::widest;
 
-/// A single loop.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(in super::super) struct One(pub(in super::super) f64);
+/// A single loop, with the instructions that a token stands for.
+#[derive(Debug, Clone, Copy)]
+pub(in super::super) struct One<S> {
+    value: f64,
+    token: S,
+}
 
-impl Index<usize> for One {
-    type Output = f64;
+impl<S> From<One<S>> for f64 {
     #[inline(always)]
-    fn index(&self, _: usize) -> &f64 {
-        &self.0
+    fn from(one: One<S>) -> Self {
+        one.value
     }
 }
 
-impl IndexMut<usize> for One {
+impl<S> Index<usize> for One<S> {
+    type Output = f64;
+    #[inline(always)]
+    fn index(&self, _: usize) -> &f64 {
+        &self.value
+    }
+}
+
+impl<S> IndexMut<usize> for One<S> {
     #[inline(always)]
     fn index_mut(&mut self, _: usize) -> &mut f64 {
-        &mut self.0
+        &mut self.value
     }
 }
 
 macro_rules! operation {
     ($of:ident, $name:ident, $sign:tt) => {
-        impl $of for One {
+        impl<S> $of for One<S> {
             type Output = Self;
             #[inline(always)]
             fn $name(self, other: Self) -> Self {
-                Self(self.0 $sign other.0)
+                Self { value: self.value $sign other.value, ..self }
             }
         }
     };
@@ -40,79 +51,95 @@ operation!(Sub, sub, -);
 operation!(Mul, mul, *);
 operation!(Div, div, /);
 
-impl Mul<f64> for One {
+impl<S> Mul<f64> for One<S> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: f64) -> Self {
-        Self(self.0 * other)
+        Self { value: self.value * other, ..self }
     }
 }
 
-impl AddAssign for One {
+impl<S> AddAssign for One<S> {
     #[inline(always)]
     fn add_assign(&mut self, other: Self) {
-        self.0 += other.0;
+        self.value += other.value;
     }
 }
 
-impl Neg for One {
+impl<S> Neg for One<S> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
-        Self(-self.0)
+        Self { value: -self.value, ..self }
     }
 }
 
-impl Lanes for One {
-    type Token = ();
+/// Whether these instructions have a product and a sum in one: where they do not, that is a slow function.
+#[inline(always)]
+fn is_fused<S: Simd>(token: S) -> bool {
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+    return token.level().as_avx2().is_some();
+    #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
+    return cfg!(target_arch = "aarch64") && !token.level().is_fallback();
+}
+
+impl<S: Simd> Lanes for One<S> {
+    type Token = S;
     const COUNT: usize = 1;
 
     #[inline(always)]
-    fn token(self) {}
-
-    #[inline(always)]
-    fn all((): (), value: f64) -> Self {
-        Self(value)
+    fn token(self) -> S {
+        self.token
     }
 
     #[inline(always)]
-    fn widest<R>((): (), job: impl FnOnce() -> R) -> R {
-        widest(job)
+    fn all(token: S, value: f64) -> Self {
+        Self { value, token }
+    }
+
+    #[inline(always)]
+    fn widest<R>(token: S, job: impl FnOnce() -> R) -> R {
+        token.vectorize(job)
     }
 
     #[inline(always)]
     fn abs(self) -> Self {
-        Self(self.0.abs())
+        self.like(self.value.abs())
     }
 
     #[inline(always)]
     fn max(self, other: Self) -> Self {
-        if other.0 > self.0 { other } else { self }
+        if other.value > self.value { other } else { self }
     }
 
     #[inline(always)]
     fn min(self, other: Self) -> Self {
-        if other.0 < self.0 { other } else { self }
+        if other.value < self.value { other } else { self }
     }
 
     #[inline(always)]
     fn times_plus(self, factor: Self, plus: Self) -> Self {
-        Self(self.0 * factor.0 + plus.0)
+        self.scaled_plus(factor.value, plus)
     }
 
     #[inline(always)]
     fn scaled_plus(self, factor: f64, plus: Self) -> Self {
-        Self(self.0 * factor + plus.0)
+        let fused = is_fused(self.token);
+        self.like(if fused {
+            self.value.mul_add(factor, plus.value)
+        } else {
+            self.value * factor + plus.value
+        })
     }
 
     #[inline(always)]
     fn at_most(self, other: Self) -> Set {
-        Set::from_bits(u8::from(self.0 <= other.0))
+        Set::from_bits(u8::from(self.value <= other.value))
     }
 
     #[inline(always)]
     fn below(self, other: Self) -> Set {
-        Set::from_bits(u8::from(self.0 < other.0))
+        Set::from_bits(u8::from(self.value < other.value))
     }
 
     #[inline(always)]
@@ -122,6 +149,6 @@ impl Lanes for One {
 
     #[inline(always)]
     fn decayed(self) -> Self {
-        Self((-self.0).exp())
+        self.like((-self.value).exp())
     }
 }
