@@ -6,7 +6,6 @@ use super::error::ResponseError;
 use super::layered;
 use super::scenario::Scenario;
 use super::simulate;
-use super::system::System;
 use crate::analysis::metrics::Metrics;
 use crate::model::ClosedLoop;
 
@@ -64,15 +63,7 @@ impl Integrals {
 /// # Errors
 /// As [`simulate`].
 pub fn integrals(closed_loop: &ClosedLoop, scenario: &Scenario) -> Result<Integrals, ResponseError> {
-    of_system(closed_loop, &System::new(closed_loop), scenario)
-}
-
-fn of_system(
-    closed_loop: &ClosedLoop,
-    system: &System,
-    scenario: &Scenario,
-) -> Result<Integrals, ResponseError> {
-    if let Some(sums) = layered::integrals(system, scenario) {
+    if let Some(sums) = layered::integrals(closed_loop, scenario) {
         return Ok(Integrals::new(sums));
     }
     simulate(closed_loop, scenario).map(|response| Integrals::from(&response.metrics))
@@ -114,16 +105,12 @@ pub(in crate::analysis) fn integrals_of_many(
 }
 
 fn of_bundle(loops: &[ClosedLoop], scenario: &Scenario) -> Vec<Result<Integrals, ResponseError>> {
-    let systems: Vec<System> = loops.iter().map(System::new).collect();
-    if let [.., last] = systems.as_slice()
-        && systems.len() >= WORTHWHILE
+    if loops.len() >= WORTHWHILE
+        && let Some(sums) = layered::integrals_together(loops, scenario)
     {
-        let lanes: [&System; layered::MOST] = std::array::from_fn(|l| systems.get(l).unwrap_or(last));
-        if let Some(sums) = layered::integrals_together(&lanes, scenario) {
-            return sums[..loops.len()].iter().map(|sums| Ok(Integrals::new(*sums))).collect();
-        }
+        return sums.into_iter().map(|sums| Ok(Integrals::new(sums))).collect();
     }
-    loops.iter().zip(&systems).map(|(one, system)| of_system(one, system, scenario)).collect()
+    loops.iter().map(|one| integrals(one, scenario)).collect()
 }
 
 /// The first times at which something happens that all loops share, the horizon among them.

@@ -17,6 +17,7 @@ mod lag;
 mod layered;
 mod legendre;
 mod measure;
+mod number;
 mod roots;
 pub mod sampled;
 mod sampler;
@@ -75,19 +76,19 @@ pub struct Response {
 /// # Errors
 /// [`ResponseError::HorizonTooLong`] if the loop neither settles nor reaches the horizon within the budget of cells.
 pub fn simulate(closed_loop: &ClosedLoop, scenario: &Scenario) -> Result<Response, ResponseError> {
-    let system = System::new(closed_loop);
     let mut measure = measure_of(scenario);
-    let outcome = run(&system, scenario, &mut measure)?;
+    let outcome = run(closed_loop, scenario, &mut measure)?;
     let mut response = response(scenario, measure, outcome);
-    response.warnings.extend(beyond_proof(&system, scenario));
+    response.warnings.extend(beyond_proof(closed_loop, scenario));
     Ok(response)
 }
 
 /// What to say where the error of 1e-9 is not established: with two different dead times its breakpoints are all sums of
 /// them, and accuracy was held against independent integration up to [`PROVEN`] of them.
-fn beyond_proof(system: &System, scenario: &Scenario) -> Option<String> {
-    let longest = system.delays.iter().copied().fold(0.0, f64::max);
-    let other = system.delays.iter().copied().find(|delay| *delay != longest)?;
+fn beyond_proof(closed_loop: &ClosedLoop, scenario: &Scenario) -> Option<String> {
+    let mut delays = closed_loop.channels().iter().map(|channel| channel.delay);
+    let longest = delays.clone().fold(0.0, f64::max);
+    let other = delays.find(|delay| *delay != longest)?;
     (scenario.horizon() > PROVEN * longest).then(|| {
         format!(
             "two dead times, {longest} s and {other} s, over more than {PROVEN} of the longer one: the integrals are held to a \
@@ -98,12 +99,16 @@ fn beyond_proof(system: &System, scenario: &Scenario) -> Option<String> {
 }
 
 /// Shows the response to `watch`: the fast way where the loop allows it, otherwise cell by cell.
-fn run(system: &System, scenario: &Scenario, watch: &mut dyn Watch) -> Result<Outcome, ResponseError> {
-    if let Some(outcome) = layered::run(system, scenario, watch) {
+fn run(
+    closed_loop: &ClosedLoop,
+    scenario: &Scenario,
+    watch: &mut dyn Watch,
+) -> Result<Outcome, ResponseError> {
+    if let Some(outcome) = layered::run(closed_loop, scenario, watch) {
         return outcome;
     }
     watch.restart();
-    Solver::new(system).run(scenario, watch)
+    Solver::new(&System::new(closed_loop)).run(scenario, watch)
 }
 
 fn measure_of(scenario: &Scenario) -> Measure {

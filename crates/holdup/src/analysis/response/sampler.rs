@@ -9,10 +9,10 @@ use super::error::ResponseError;
 use super::layered::{Segment, Signal};
 use super::legendre::{Poly, ends};
 use super::scenario::Scenario;
-use super::system::System;
 use super::trajectory::Trajectory;
 use super::values::{Curve, Place, evaluate};
 use crate::analysis::widest;
+use crate::model::ClosedLoop;
 
 /// Controlled variable, controller output and load estimate.
 type Curves = SmallVec<[Curve; 3]>;
@@ -59,13 +59,17 @@ pub(super) struct Sampler<'a> {
 }
 
 impl<'a> Sampler<'a> {
-    pub(super) fn new(system: &System, scenario: &'a Scenario, times: &[f64]) -> Result<Self, ResponseError> {
-        Self::reusing(system, scenario, Trajectory { time: times.to_vec(), ..Trajectory::default() })
+    pub(super) fn new(
+        closed_loop: &ClosedLoop,
+        scenario: &'a Scenario,
+        times: &[f64],
+    ) -> Result<Self, ResponseError> {
+        Self::reusing(closed_loop, scenario, Trajectory { time: times.to_vec(), ..Trajectory::default() })
     }
 
     /// Overwrites the signals of a trajectory at its times, in its memory.
     pub(super) fn reusing(
-        system: &System,
+        closed_loop: &ClosedLoop,
         scenario: &'a Scenario,
         mut result: Trajectory,
     ) -> Result<Self, ResponseError> {
@@ -89,7 +93,7 @@ impl<'a> Sampler<'a> {
         // Every value is overwritten.
         result.controlled_variable.resize(times.len(), 0.0);
         result.manipulated_variable.resize(times.len(), 0.0);
-        result.load_estimate = system.load_estimate.as_ref().map(|_| {
+        result.load_estimate = closed_loop.load_estimate().map(|_| {
             let mut estimates = result.load_estimate.take().unwrap_or_default();
             estimates.resize(times.len(), 0.0);
             estimates

@@ -1,30 +1,48 @@
-//! The closed loop in the form the solver runs: sparse rows, blocks of coupled states, and the equilibrium that each
-//! setpoint and load would have.
+//! The closed loop in the form the solvers run: sparse rows, blocks of coupled states, and the equilibrium that each setpoint and
+//! load would have; of one loop, or of several of one structure together.
+
+#![expect(
+    clippy::inline_always,
+    reason = "only what is inlined is compiled for the instruction set chosen at run time"
+)]
 
 use smallvec::{SmallVec, smallvec};
 
+use super::number::Number;
 use crate::model::ClosedLoop;
-use crate::model::closed_loop::{Source, Sum, Window};
+use crate::model::closed_loop::{Source, Sum};
 
 /// Sources by index, and their weights.
-pub(super) type Terms = SmallVec<[(usize, f64); 4]>;
+pub(super) type Terms<T = f64> = SmallVec<[(usize, T); 4]>;
 /// A number for each state or channel.
-pub(super) type Point = SmallVec<[f64; 8]>;
+pub(super) type Point<T = f64> = SmallVec<[T; 8]>;
 
 /// A weighted sum, sorted by kind of source.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Row {
-    pub(super) states: Terms,
-    pub(super) delayed: Terms,
-    pub(super) setpoint: f64,
-    pub(super) load: f64,
-    pub(super) setpoint_rate: f64,
+#[derive(Debug, Clone)]
+pub(super) struct Row<T = f64> {
+    pub(super) states: Terms<T>,
+    pub(super) delayed: Terms<T>,
+    pub(super) setpoint: T,
+    pub(super) load: T,
+    pub(super) setpoint_rate: T,
 }
 
-impl Row {
-    fn new(sum: &Sum) -> Self {
-        let mut row = Self::default();
-        for &(source, weight) in sum.terms().iter().filter(|(_, weight)| *weight != 0.0) {
+impl<T: Number> Row<T> {
+    #[inline(always)]
+    fn zero(token: T::Token) -> Self {
+        let zero = T::same(token, 0.0);
+        Self { states: Terms::new(), delayed: Terms::new(), setpoint: zero, load: zero, setpoint_rate: zero }
+    }
+
+    /// The same sum of each loop.
+    #[inline(always)]
+    fn new<'s>(token: T::Token, of: impl Fn(usize) -> &'s Sum) -> Self {
+        let mut row = Self::zero(token);
+        for (k, &(source, weight)) in of(0).terms().iter().enumerate() {
+            if weight == 0.0 {
+                continue;
+            }
+            let weight = T::each(token, |l| of(l).terms()[k].1);
             match source {
                 Source::Setpoint => row.setpoint += weight,
                 Source::SetpointRate => row.setpoint_rate += weight,
@@ -36,6 +54,27 @@ impl Row {
         row
     }
 
+    /// The part of the sum that comes from setpoint and load.
+    #[inline(always)]
+    pub(super) fn constant(&self, setpoint: T, load: T) -> T {
+        self.setpoint * setpoint + self.load * load
+    }
+
+    /// The sum for given values of its sources.
+    #[inline(always)]
+    fn of(&self, point: &[T], states: usize, (setpoint, load): (T, T)) -> T {
+        let mut sum = setpoint.alike(0.0);
+        for &(i, weight) in &self.states {
+            sum += weight * point[i];
+        }
+        for &(c, weight) in &self.delayed {
+            sum += weight * point[states + c];
+        }
+        sum + self.constant(setpoint, load)
+    }
+}
+
+impl Row {
     fn state(&self, index: usize) -> f64 {
         self.states.iter().find(|(i, _)| *i == index).map_or(0.0, |(_, w)| *w)
     }
@@ -44,114 +83,47 @@ impl Row {
     pub(super) fn channel(&self, index: usize) -> f64 {
         self.delayed.iter().find(|(c, _)| *c == index).map_or(0.0, |(_, w)| *w)
     }
-
-    /// The part of the sum that comes from setpoint and load.
-    pub(super) fn constant(&self, setpoint: f64, load: f64) -> f64 {
-        self.setpoint * setpoint + self.load * load
-    }
-
-    /// The sum for given values of its sources.
-    pub(super) fn of(&self, states: &[f64], delayed: &[f64], setpoint: f64, load: f64) -> f64 {
-        self.states.iter().map(|&(i, w)| w * states[i]).sum::<f64>()
-            + self.delayed.iter().map(|&(c, w)| w * delayed[c]).sum::<f64>()
-            + self.constant(setpoint, load)
-    }
 }
 
 /// Where everything comes to rest under a constant setpoint and load, or the origin where there is no such point.
 #[derive(Debug, Clone)]
-pub(super) struct Rest {
-    pub(super) states: Point,
-    pub(super) delayed: Point,
-    pub(super) error: f64,
-    pub(super) manipulated: f64,
-    pub(super) load_estimate: f64,
+pub(super) struct Rest<T = f64> {
+    pub(super) states: Point<T>,
+    pub(super) delayed: Point<T>,
+    pub(super) error: T,
+    pub(super) manipulated: T,
+    pub(super) load_estimate: T,
 }
 
-/// The closed loop, ready to run.
+/// The closed loop, or several of one structure, ready to run.
 #[derive(Debug, Clone)]
-pub(super) struct System {
+pub(super) struct System<T = f64> {
     /// Rate of each state.
-    pub(super) rates: Vec<Row>,
+    pub(super) rates: Vec<Row<T>>,
     /// Input of each channel.
-    pub(super) inputs: Vec<Row>,
+    pub(super) inputs: Vec<Row<T>>,
     /// Delay of each channel [s].
-    pub(super) delays: Vec<f64>,
+    pub(super) delays: Point<T>,
     /// Index of the state that is the controlled variable.
     pub(super) output: usize,
     /// Controller output.
-    pub(super) manipulated: Row,
+    pub(super) manipulated: Row<T>,
     /// Load estimate of the observer.
-    pub(super) load_estimate: Option<Row>,
+    pub(super) load_estimate: Option<Row<T>>,
     /// Ranges of states that drive each other; earlier blocks drive later ones.
-    pub(super) blocks: Vec<(usize, usize)>,
+    pub(super) blocks: SmallVec<[(usize, usize); 8]>,
     /// Whether the input of channel 0 is the controller output plus constants.
     pub(super) input_is_manipulated: bool,
     /// Whether [`Rest`] is an equilibrium; otherwise constants force the deviations.
     pub(super) has_rest: bool,
-    rest_of_setpoint: Rest,
-    rest_of_load: Rest,
+    rest_of_setpoint: Rest<T>,
+    rest_of_load: Rest<T>,
 }
 
 impl System {
+    /// The system of a single loop.
     pub(super) fn new(closed_loop: &ClosedLoop) -> Self {
-        let rates: Vec<Row> = closed_loop.rates().iter().map(Row::new).collect();
-        let inputs: Vec<Row> = closed_loop.channels().iter().map(|c| Row::new(&c.input)).collect();
-        let manipulated = Row::new(closed_loop.manipulated_variable());
-        let load_estimate = closed_loop.load_estimate().map(Row::new);
-        let output = closed_loop.controlled_variable();
-        let input_is_manipulated =
-            inputs[0].states == manipulated.states && inputs[0].delayed == manipulated.delayed;
-        let points = resting(closed_loop, &rates, &inputs);
-        let has_rest = points.is_some();
-        let n = rates.len();
-        let [of_setpoint, of_load] = points.unwrap_or_else(|| {
-            let origin: Point = smallvec![0.0; n + inputs.len()];
-            [origin.clone(), origin]
-        });
-        let rest = |point: Point, setpoint: f64, load: f64| {
-            let (states, delayed): (Point, Point) = (point[..n].into(), point[n..].into());
-            let manipulated = if has_rest && input_is_manipulated {
-                // Exact where the general sum would leave rounding: at rest the process input is what it must be.
-                delayed[0]
-                    - (inputs[0].load - manipulated.load) * load
-                    - (inputs[0].setpoint - manipulated.setpoint) * setpoint
-            } else {
-                manipulated.of(&states, &delayed, setpoint, load)
-            };
-            let load_estimate =
-                load_estimate.as_ref().map_or(0.0, |row| row.of(&states, &delayed, setpoint, load));
-            Rest { error: setpoint - states[output], states, delayed, manipulated, load_estimate }
-        };
-        let (rest_of_setpoint, rest_of_load) = (rest(of_setpoint, 1.0, 0.0), rest(of_load, 0.0, 1.0));
-        let delays = closed_loop.channels().iter().map(|c| c.delay).collect();
-        let blocks = blocks(&rates);
-        Self {
-            rates,
-            inputs,
-            delays,
-            output,
-            manipulated,
-            load_estimate,
-            blocks,
-            input_is_manipulated,
-            has_rest,
-            rest_of_setpoint,
-            rest_of_load,
-        }
-    }
-
-    /// The point of rest for this setpoint and load.
-    pub(super) fn rest(&self, setpoint: f64, load: f64) -> Rest {
-        let (r, d) = (&self.rest_of_setpoint, &self.rest_of_load);
-        let mix = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| setpoint * a + load * b).collect();
-        Rest {
-            states: mix(&r.states, &d.states),
-            delayed: mix(&r.delayed, &d.delayed),
-            error: setpoint * r.error + load * d.error,
-            manipulated: setpoint * r.manipulated + load * d.manipulated,
-            load_estimate: setpoint * r.load_estimate + load * d.load_estimate,
-        }
+        Self::of((), |_| closed_loop)
     }
 
     /// How a state drives itself.
@@ -179,9 +151,171 @@ impl System {
     }
 }
 
+/// Whether these loops have the same rows, with weights that are 0 in all of them or in none.
+pub(super) fn are_alike(loops: &[ClosedLoop]) -> bool {
+    let Some((first, others)) = loops.split_first() else { return true };
+    let same_sum = |a: &Sum, b: &Sum| {
+        let same = |(a, b): (&(Source, f64), &(Source, f64))| a.0 == b.0 && (a.1 == 0.0) == (b.1 == 0.0);
+        a.terms().len() == b.terms().len() && a.terms().iter().zip(b.terms()).all(same)
+    };
+    others.iter().all(|other| {
+        first.rates().len() == other.rates().len()
+            && first.rates().iter().zip(other.rates()).all(|(a, b)| same_sum(a, b))
+            && first.channels().len() == other.channels().len()
+            && first.channels().iter().zip(other.channels()).all(|(a, b)| same_sum(&a.input, &b.input))
+            && first.windows() == other.windows()
+            && first.controlled_variable() == other.controlled_variable()
+            && same_sum(first.manipulated_variable(), other.manipulated_variable())
+            && match (first.load_estimate(), other.load_estimate()) {
+                (None, None) => true,
+                (Some(a), Some(b)) => same_sum(a, b),
+                _ => false,
+            }
+    })
+}
+
+impl<T: Number> System<T> {
+    /// The system of loops that are alike; see [`are_alike`].
+    #[inline(always)]
+    pub(super) fn of<'l>(token: T::Token, loops: impl Fn(usize) -> &'l ClosedLoop) -> Self {
+        let first = loops(0);
+        let mut rates: Vec<Row<T>> = Vec::with_capacity(first.rates().len());
+        for i in 0..first.rates().len() {
+            rates.push(Row::new(
+                token,
+                #[inline(always)]
+                |l| &loops(l).rates()[i],
+            ));
+        }
+        let mut inputs: Vec<Row<T>> = Vec::with_capacity(first.channels().len());
+        let mut delays = Point::new();
+        for c in 0..first.channels().len() {
+            inputs.push(Row::new(
+                token,
+                #[inline(always)]
+                |l| &loops(l).channels()[c].input,
+            ));
+            delays.push(T::each(
+                token,
+                #[inline(always)]
+                |l| loops(l).channels()[c].delay,
+            ));
+        }
+        let manipulated = Row::new(
+            token,
+            #[inline(always)]
+            |l| loops(l).manipulated_variable(),
+        );
+        let load_estimate = first.load_estimate().map(
+            #[inline(always)]
+            |own| {
+                Row::new(
+                    token,
+                    #[inline(always)]
+                    |l| loops(l).load_estimate().unwrap_or(own),
+                )
+            },
+        );
+        let same = |a: &Terms<T>, b: &Terms<T>| {
+            a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.0 == b.0 && (a.1 - b.1).is_zero())
+        };
+        let input_is_manipulated =
+            same(&inputs[0].states, &manipulated.states) && same(&inputs[0].delayed, &manipulated.delayed);
+        let points = equilibria(token, (&rates, &inputs), &held(first, &delays));
+        let blocks = blocks(&rates);
+        let (zero, one) = (T::same(token, 0.0), T::same(token, 1.0));
+        let mut system = Self {
+            rates,
+            inputs,
+            delays,
+            output: first.controlled_variable(),
+            manipulated,
+            load_estimate,
+            blocks,
+            input_is_manipulated,
+            has_rest: points.is_some(),
+            rest_of_setpoint: Rest::origin(zero),
+            rest_of_load: Rest::origin(zero),
+        };
+        let size = system.rates.len() + system.inputs.len();
+        let [of_setpoint, of_load] = points.unwrap_or_else(|| [smallvec![zero; size], smallvec![zero; size]]);
+        system.rest_of_setpoint = system.rest_at(&of_setpoint, (one, zero));
+        system.rest_of_load = system.rest_at(&of_load, (zero, one));
+        system
+    }
+
+    /// What is seen of a point of rest.
+    #[inline(always)]
+    fn rest_at(&self, point: &[T], at: (T, T)) -> Rest<T> {
+        let n = self.rates.len();
+        let (states, delayed) = point.split_at(n);
+        let (input, manipulated) = (&self.inputs[0], &self.manipulated);
+        let zero = at.0.alike(0.0);
+        Rest {
+            error: at.0 - states[self.output],
+            manipulated: if self.has_rest && self.input_is_manipulated {
+                // Exact where the general sum would leave rounding: at rest the process input is what it must be.
+                delayed[0]
+                    - (input.load - manipulated.load) * at.1
+                    - (input.setpoint - manipulated.setpoint) * at.0
+            } else {
+                manipulated.of(point, n, at)
+            },
+            load_estimate: match &self.load_estimate {
+                Some(row) => row.of(point, n, at),
+                None => zero,
+            },
+            states: states.iter().copied().collect(),
+            delayed: delayed.iter().copied().collect(),
+        }
+    }
+
+    /// The point of rest for this setpoint and load.
+    #[inline(always)]
+    pub(super) fn rest(&self, setpoint: f64, load: f64) -> Rest<T> {
+        let token = self.delays[0].token();
+        let at = (T::same(token, setpoint), T::same(token, load));
+        let (r, d) = (&self.rest_of_setpoint, &self.rest_of_load);
+        Rest {
+            states: mixed(at, &r.states, &d.states),
+            delayed: mixed(at, &r.delayed, &d.delayed),
+            error: mix(at, r.error, d.error),
+            manipulated: mix(at, r.manipulated, d.manipulated),
+            load_estimate: mix(at, r.load_estimate, d.load_estimate),
+        }
+    }
+}
+
+#[inline(always)]
+fn mix<T: Number>((setpoint, load): (T, T), a: T, b: T) -> T {
+    setpoint * a + load * b
+}
+
+#[inline(always)]
+fn mixed<T: Number>(at: (T, T), a: &[T], b: &[T]) -> Point<T> {
+    let mut mixed = Point::new();
+    for (a, b) in a.iter().zip(b) {
+        mixed.push(mix(at, *a, *b));
+    }
+    mixed
+}
+
+impl<T: Number> Rest<T> {
+    #[inline(always)]
+    fn origin(zero: T) -> Self {
+        Self {
+            states: Point::new(),
+            delayed: Point::new(),
+            error: zero,
+            manipulated: zero,
+            load_estimate: zero,
+        }
+    }
+}
+
 /// Smallest runs of states such that no state is driven by a later run.
-fn blocks(rates: &[Row]) -> Vec<(usize, usize)> {
-    let mut blocks = Vec::new();
+fn blocks<T>(rates: &[Row<T>]) -> SmallVec<[(usize, usize); 8]> {
+    let mut blocks = SmallVec::new();
     let (mut from, mut to) = (0, 0);
     for (i, row) in rates.iter().enumerate() {
         let last = row.states.iter().map(|&(j, _)| j + 1).max().unwrap_or(0);
@@ -194,86 +328,116 @@ fn blocks(rates: &[Row]) -> Vec<(usize, usize)> {
     blocks
 }
 
-/// The [`equilibria`] of a loop. At rest the rate of a window is 0 whatever it holds; what it holds is its input times its length.
-fn resting(closed_loop: &ClosedLoop, rates: &[Row], inputs: &[Row]) -> Option<[Point; 2]> {
-    let held = |window: &Window| Row {
-        states: smallvec![(window.state, 1.0)],
-        delayed: smallvec![(window.channel, -closed_loop.channels()[window.channel].delay)],
-        ..Row::default()
-    };
-    let held: SmallVec<[Row; 1]> = closed_loop.windows().iter().map(held).collect();
-    let mut rates: SmallVec<[&Row; 8]> = rates.iter().collect();
-    for (window, row) in closed_loop.windows().iter().zip(&held) {
-        rates[window.state] = row;
-    }
-    equilibria(&rates, inputs)
+/// What a state that is the integral over a window holds at rest: the state, the channel, and the window's length.
+type Held<T> = SmallVec<[(usize, usize, T); 2]>;
+
+/// At rest the rate of a window is 0 whatever it holds; what it holds is its input times its length.
+fn held<T: Number>(closed_loop: &ClosedLoop, delays: &[T]) -> Held<T> {
+    closed_loop
+        .windows()
+        .iter()
+        .map(|window| (window.state, window.channel, delays[window.channel]))
+        .collect()
 }
+
+/// One equation: the weights of states and delayed signals, and the right-hand sides of setpoint and load.
+type Line<T> = SmallVec<[T; 8]>;
 
 /// States and delayed signals at which nothing moves under a unit setpoint, and under a unit load; `None` where there is no unique
 /// such point.
 ///
 /// Rows with one unknown are eliminated first, so that what is zero by structure (the process input of an
 /// integrating process, the error under integral action) comes out as exactly zero.
-fn equilibria(rates: &[&Row], inputs: &[Row]) -> Option<[Point; 2]> {
+#[inline(always)]
+fn equilibria<T: Number>(
+    token: T::Token,
+    (rates, inputs): (&[Row<T>], &[Row<T>]),
+    held: &Held<T>,
+) -> Option<[Point<T>; 2]> {
     let (n, channels) = (rates.len(), inputs.len());
     let size = n + channels;
-    let mut matrix: SmallVec<[Line; 6]> = SmallVec::with_capacity(size);
-    for (index, row) in rates.iter().copied().chain(inputs).enumerate() {
-        let mut line: Line = smallvec![0.0; size + 2];
-        row.states.iter().for_each(|&(i, w)| line[i] += w);
-        row.delayed.iter().for_each(|&(c, w)| line[n + c] += w);
-        if index >= n {
-            line[index] -= 1.0;
+    let (zero, one) = (T::same(token, 0.0), T::same(token, 1.0));
+    let mut matrix: SmallVec<[Line<T>; 6]> = SmallVec::with_capacity(size);
+    for (index, row) in rates.iter().chain(inputs).enumerate() {
+        let mut line: Line<T> = smallvec![zero; size + 2];
+        if let Some(&(state, channel, length)) = held.iter().find(|held| held.0 == index) {
+            line[state] = one;
+            line[n + channel] = -length;
+        } else {
+            row.states.iter().for_each(
+                #[inline(always)]
+                |&(i, w)| line[i] += w,
+            );
+            row.delayed.iter().for_each(
+                #[inline(always)]
+                |&(c, w)| line[n + c] += w,
+            );
+            (line[size], line[size + 1]) = (-row.setpoint, -row.load);
         }
-        (line[size], line[size + 1]) = (-row.setpoint, -row.load);
+        if index >= n {
+            line[index] += -one;
+        }
         // Rows of one scale, so that the choice of the largest pivot means something.
-        let scale = line[..size].iter().fold(0.0f64, |m, v| m.max(v.abs()));
-        if scale > 0.0 {
+        let mut scale = zero;
+        for v in &line[..size] {
+            scale = scale.larger(v.magnitude());
+        }
+        if !scale.is_zero() {
             for v in &mut line {
-                *v /= scale;
+                *v = *v / scale;
             }
         }
         matrix.push(line);
     }
     let mut order: SmallVec<[usize; 8]> = SmallVec::new();
     for step in 0..size {
-        let count = |line: &Line| line[..size].iter().map(|v| usize::from(*v != 0.0)).sum::<usize>();
-        let (_, row) = (step..size).map(|i| (count(&matrix[i]), i)).filter(|(count, _)| *count > 0).min()?;
-        matrix.swap(step, row);
+        let mut fewest = (usize::MAX, 0);
+        for (i, line) in matrix.iter().enumerate().skip(step) {
+            let mut count = 0;
+            for v in &line[..size] {
+                count += usize::from(!v.is_zero());
+            }
+            if count > 0 && count < fewest.0 {
+                fewest = (count, i);
+            }
+        }
+        if fewest.0 > size {
+            return None;
+        }
+        matrix.swap(step, fewest.1);
         let (before, rest) = matrix.split_at_mut(step);
         let (pivot_row, after) = rest.split_first_mut()?;
-        let (column, pivot) = largest(&pivot_row[..size]);
-        if pivot.abs() < 1e-13 {
+        let (mut column, mut most) = (0, 0.0);
+        for (k, v) in pivot_row[..size].iter().enumerate() {
+            let least = v.magnitude().least();
+            if least >= most {
+                (column, most) = (k, least);
+            }
+        }
+        if most < 1e-13 {
             return None;
         }
         order.push(column);
-        for line in before.iter_mut().chain(after).filter(|line| line[column] != 0.0) {
-            let factor = line[column] / pivot;
-            for (v, p) in line.iter_mut().zip(pivot_row.iter()) {
-                *v -= factor * p;
+        for line in before.iter_mut().chain(after) {
+            if line[column].is_zero() {
+                continue;
             }
-            line[column] = 0.0;
+            let factor = line[column] / pivot_row[column];
+            for (v, p) in line.iter_mut().zip(pivot_row.iter()) {
+                *v = *v - factor * *p;
+            }
+            line[column] = zero;
         }
     }
-    let mut points: [Point; 2] = [smallvec![0.0; size], smallvec![0.0; size]];
+    let mut points: [Point<T>; 2] = [smallvec![zero; size], smallvec![zero; size]];
+    let mut finite = true;
     for (line, column) in matrix.iter().zip(order) {
-        points[0][column] = line[size] / line[column];
-        points[1][column] = line[size + 1] / line[column];
+        for (k, point) in points.iter_mut().enumerate() {
+            point[column] = line[size + k] / line[column];
+            finite &= point[column].is_finite();
+        }
     }
-    points.iter().flatten().all(|v| v.is_finite()).then_some(points)
-}
-
-/// One equation: the weights of states and delayed signals, and the right-hand sides of setpoint and load.
-type Line = SmallVec<[f64; 8]>;
-
-/// The last of the numbers of largest magnitude, and its place.
-fn largest(line: &[f64]) -> (usize, f64) {
-    line.iter().copied().enumerate().fold(
-        (0, 0.0),
-        |most: (usize, f64), at| {
-            if at.1.abs() >= most.1.abs() { at } else { most }
-        },
-    )
+    finite.then_some(points)
 }
 
 #[cfg(test)]

@@ -9,7 +9,6 @@ use super::layered::Segment;
 use super::measure::Measure;
 use super::sampler::Sampler;
 use super::scenario::Scenario;
-use super::system::System;
 use super::{Response, beyond_proof, measure_of, response, run};
 
 /// Signals at requested times; at an event the value from the right.
@@ -50,9 +49,8 @@ pub fn trajectory(
     scenario: &Scenario,
     times: &[f64],
 ) -> Result<Trajectory, ResponseError> {
-    let system = System::new(closed_loop);
-    let mut sampler = Sampler::new(&system, scenario, times)?;
-    let outcome = run(&system, scenario, &mut sampler)?;
+    let mut sampler = Sampler::new(closed_loop, scenario, times)?;
+    let outcome = run(closed_loop, scenario, &mut sampler)?;
     Ok(sampler.finish(outcome))
 }
 
@@ -65,11 +63,10 @@ pub fn simulate_with_trajectory(
     scenario: &Scenario,
     times: &[f64],
 ) -> Result<(Response, Trajectory), ResponseError> {
-    let system = System::new(closed_loop);
-    let mut both = Both(measure_of(scenario), Sampler::new(&system, scenario, times)?);
-    let outcome = run(&system, scenario, &mut both)?;
+    let mut both = Both(measure_of(scenario), Sampler::new(closed_loop, scenario, times)?);
+    let outcome = run(closed_loop, scenario, &mut both)?;
     let mut response = response(scenario, both.0, outcome);
-    response.warnings.extend(beyond_proof(&system, scenario));
+    response.warnings.extend(beyond_proof(closed_loop, scenario));
     Ok((response, both.1.finish(outcome)))
 }
 
@@ -100,10 +97,9 @@ pub fn refill_trajectory(
     scenario: &Scenario,
     trajectory: &mut Trajectory,
 ) -> Result<Integrals, ResponseError> {
-    let system = System::new(closed_loop);
-    let sampler = Sampler::reusing(&system, scenario, std::mem::take(trajectory))?;
+    let sampler = Sampler::reusing(closed_loop, scenario, std::mem::take(trajectory))?;
     let mut both = Both(Measure::integrals_only(), sampler);
-    let outcome = run(&system, scenario, &mut both)?;
+    let outcome = run(closed_loop, scenario, &mut both)?;
     *trajectory = both.1.finish(outcome);
     Ok(Integrals::from(&response(scenario, both.0, outcome).metrics))
 }

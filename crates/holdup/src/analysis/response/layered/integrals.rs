@@ -48,10 +48,10 @@ impl<V: Lanes> Integrals<V> {
         Self { sums }
     }
 
-    /// IAE, ISE, ITAE and control energy of each loop.
-    pub(super) fn finish(&self) -> Vec<[f64; 4]> {
+    /// IAE, ISE, ITAE and control energy of the first so many loops.
+    pub(super) fn finish(&self, count: usize) -> Vec<[f64; 4]> {
         let Sums { iae, ise, itae, energy } = self.sums;
-        (0..V::COUNT).map(|l| [iae[l], ise[l], itae[l], energy[l]]).collect()
+        (0..count.min(V::COUNT)).map(|l| [iae[l], ise[l], itae[l], energy[l]]).collect()
     }
 
     /// What [`Measure`] makes of one lane of a stretch.

@@ -35,7 +35,6 @@ mod signals;
 mod squares;
 mod states;
 mod tables;
-mod together;
 
 pub(super) use gathered::Gathered;
 pub(super) use lanes::{MOST, exponential};
@@ -48,14 +47,14 @@ use fearless_simd::{Level, Simd as _, dispatch, f64x8};
 use super::cell::{Outcome, Watch};
 use super::error::ResponseError;
 use super::scenario::Scenario;
-use super::system::System;
+use super::system::{System, are_alike};
+use crate::model::ClosedLoop;
 use alone::Alone;
 use gathered::OfOne;
 use integrals::Integrals;
 use lanes::{Lanes, One};
 use plan::Plan;
 use propagate::{Follow, Propagation};
-use together::Together;
 
 #[cfg(test)]
 mod tests;
@@ -63,64 +62,65 @@ mod tests;
 /// Runs the scenario and shows every segment to `watch`; `None` where the loop is of another structure or the
 /// expansion does not hold to rounding, and then what `watch` was shown is worth nothing.
 pub(super) fn run(
-    system: &System,
+    closed_loop: &ClosedLoop,
     scenario: &Scenario,
     watch: &mut dyn Watch,
 ) -> Option<Result<Outcome, ResponseError>> {
     dispatch!(Level::new(), simd => simd.vectorize(
         #[inline(always)]
-        || run_together::<One<_>>(simd, &[system], scenario, &mut Alone::new(watch))
+        || run_together::<One<_>>(simd, std::slice::from_ref(closed_loop), scenario, &mut Alone::new(watch))
     ))
 }
 
 /// IAE, ISE, ITAE and control energy of a loop; `None` as for [`run`].
-pub(super) fn integrals(system: &System, scenario: &Scenario) -> Option<[f64; 4]> {
+pub(super) fn integrals(closed_loop: &ClosedLoop, scenario: &Scenario) -> Option<[f64; 4]> {
     dispatch!(Level::new(), simd => simd.vectorize(
         #[inline(always)]
         || {
             let mut integrals = OfOne::<f64x8<_>>::new(simd);
-            run_together::<One<_>>(simd, &[system], scenario, &mut integrals)?.ok()?;
+            run_together::<One<_>>(simd, std::slice::from_ref(closed_loop), scenario, &mut integrals)?.ok()?;
             Some(integrals.finish())
         }
     ))
 }
 
-/// The same of [`MOST`] loops, to which the same happens in the same order; `None` as for [`run`] for any of them, or where they
-/// part ways.
-pub(super) fn integrals_together(systems: &[&System; MOST], scenario: &Scenario) -> Option<Vec<[f64; 4]>> {
+/// The same of up to [`MOST`] loops, to which the same happens in the same order; `None` as for [`run`] for any of them, or where
+/// they part ways.
+pub(super) fn integrals_together(loops: &[ClosedLoop], scenario: &Scenario) -> Option<Vec<[f64; 4]>> {
     dispatch!(Level::new(), simd => simd.vectorize(
         #[inline(always)]
-        || integrals_of::<f64x8<_>>(simd, systems, scenario)
+        || integrals_of::<f64x8<_>>(simd, loops, scenario)
     ))
 }
 
 #[inline(always)]
 fn integrals_of<V: Lanes>(
     token: V::Token,
-    systems: &[&System],
+    loops: &[ClosedLoop],
     scenario: &Scenario,
 ) -> Option<Vec<[f64; 4]>> {
     let mut integrals = Integrals::<V>::new(token);
-    run_together(token, systems, scenario, &mut integrals)?.ok()?;
-    Some(integrals.finish())
+    run_together(token, loops, scenario, &mut integrals)?.ok()?;
+    Some(integrals.finish(loops.len()))
 }
 
-/// Runs the scenario with several loops; `None` as for [`run`] for any of them, or where they part ways.
+/// Runs the scenario with several loops, the last of them in all lanes that are left; `None` as for [`run`] for any of them, or
+/// where they part ways.
 #[inline(always)]
 fn run_together<V: Lanes>(
     token: V::Token,
-    systems: &[&System],
+    loops: &[ClosedLoop],
     scenario: &Scenario,
     watch: &mut impl Follow<V>,
 ) -> Option<Result<Outcome, ResponseError>> {
-    let first = systems[0];
-    let alike = |system: &&System| {
-        system.output == first.output && system.input_is_manipulated == first.input_is_manipulated
-    };
-    if !systems.iter().all(alike) {
+    if loops.is_empty() || !are_alike(loops) {
         return None;
     }
-    let plans: Vec<Plan> = systems.iter().map(|system| Plan::new(system, scenario)).collect::<Option<_>>()?;
-    let together = Together::new(token, &plans)?;
-    Propagation::new(systems, &together).run(scenario, watch)
+    let system = System::<V>::of(
+        token,
+        #[inline(always)]
+        |l| &loops[l.min(loops.len() - 1)],
+    );
+    let plan = Plan::new(&system, scenario)?;
+    Propagation::new(&system, &plan).run(scenario, watch)
 }

@@ -2,6 +2,7 @@
 
 use super::super::scenario::Scenario;
 use super::super::system::{Row, System, Terms};
+use super::lanes::{Lanes, Set, agreed};
 
 /// A pole up to this rate times half a segment is resolved by the polynomials: 2^24/24! is 3e-17.
 const SLOW: f64 = 2.0;
@@ -11,105 +12,149 @@ const FAST: f64 = 12.0;
 const MOST_PIECES: f64 = 4.0;
 
 /// How a state moves by itself.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Kind {
+#[derive(Clone, Copy)]
+pub(super) enum Motion<V> {
     /// An integrator.
     Integral,
     /// A lag of this rate (negative) [1/s] that polynomials resolve.
-    Slow(f64),
+    Slow(V),
     /// The fast lag.
     Fast,
 }
 
-/// One state: its kind and what drives it.
-#[derive(Debug, Clone)]
-pub(super) struct State {
-    pub(super) kind: Kind,
-    pub(super) drive: Row,
-    /// What a fast state would equal were it infinitely fast. The propagation carries the difference from that: of a state
-    /// that only follows another almost all digits would cancel.
-    pub(super) follows: Terms,
+/// A weighted sum of states and of what comes out of the delays.
+pub(super) struct Weights<V> {
+    pub(super) states: Terms<V>,
+    pub(super) delayed: Terms<V>,
 }
 
-/// A loop that can be written with one layer.
-#[derive(Debug, Clone)]
-pub(super) struct Plan {
-    pub(super) states: Vec<State>,
+/// One state: how it moves, and what drives it.
+pub(super) struct State<V> {
+    pub(super) motion: Motion<V>,
+    pub(super) drive: Weights<V>,
+    /// What a fast state would equal were it infinitely fast. The propagation carries the difference from that: of a state
+    /// that only follows another almost all digits would cancel.
+    pub(super) follows: Terms<V>,
+}
+
+/// Loops that can be written with one layer.
+pub(super) struct Plan<V> {
+    pub(super) states: Vec<State<V>>,
     /// Inputs of the channels, which all have the same delay.
-    pub(super) inputs: Vec<Row>,
-    pub(super) manipulated: Row,
-    pub(super) load_estimate: Option<Row>,
+    pub(super) inputs: Vec<Weights<V>>,
+    pub(super) manipulated: Weights<V>,
+    pub(super) load_estimate: Option<Weights<V>>,
     /// Rate of the fast pole [1/s], or 0 if there is none.
-    pub(super) rate: f64,
+    pub(super) rate: V,
     /// Segments from breakpoint to breakpoint.
     pub(super) pieces: u32,
 }
 
-impl Plan {
-    /// `None` where the loop has several delays, coupled states, no point of rest, or several fast poles, or where the
-    /// scenario makes an impulse.
-    pub(super) fn new(system: &System, scenario: &Scenario) -> Option<Self> {
+impl<V: Lanes> Plan<V> {
+    /// `None` where a loop has several delays, coupled states, no point of rest, or several fast poles, where the scenario makes
+    /// an impulse, or where the loops differ in kind.
+    #[inline(always)]
+    pub(super) fn new(system: &System<V>, scenario: &Scenario) -> Option<Self> {
         let delay = system.delays[0];
-        let single = system.delays.iter().all(|&d| d == delay);
+        let zero = delay.like(0.0);
+        let single = system.delays.iter().all(|d| equal(*d, delay) == V::every());
         let plain = system.blocks.iter().all(|(from, to)| to - from == 1);
-        let impulse = system.rates.iter().chain(&system.inputs).any(|row| row.setpoint_rate != 0.0);
+        let impulse =
+            system.rates.iter().chain(&system.inputs).any(|row| !row.setpoint_rate.abs().all_at_most(zero));
         if !(single && plain && system.has_rest) || impulse && !scenario.setpoint_moves().is_empty() {
             return None;
         }
-        let own: Vec<f64> = (0..system.rates.len()).map(|i| system.own_rate(i)).collect();
-        if own.iter().any(|&rate| rate > 0.0) {
-            return None;
+        // How each state drives itself.
+        let own = |i: usize| {
+            let row = system.rates[i].states.iter().find(|(j, _)| *j == i);
+            row.map_or(zero, |(_, weight)| *weight)
+        };
+        let mut fastest = zero;
+        for i in 0..system.rates.len() {
+            if !own(i).all_at_most(zero) {
+                return None;
+            }
+            fastest = fastest.max(-own(i));
         }
-        let fastest = own.iter().fold(0.0f64, |m, rate| m.max(-rate));
-        let rate = if fastest * delay >= FAST { fastest } else { 0.0 };
-        let is_fast = |own: f64| rate > 0.0 && own == -rate;
-        if own.iter().filter(|o| is_fast(**o)).count() > 1 {
-            return None;
-        }
-        let resolved = own.iter().filter(|o| !is_fast(**o)).fold(0.0f64, |m, o| m.max(-o));
-        let pieces = (resolved * delay / (2.0 * SLOW)).ceil().max(1.0);
-        if pieces > MOST_PIECES {
-            return None;
-        }
-        let mut states: Vec<State> = Vec::with_capacity(own.len());
+        let rate = if agreed(V::COUNT, |l| fastest[l] * delay[l] >= FAST)? { fastest } else { zero };
+        let mut resolved = zero;
+        let mut states: Vec<State<V>> = Vec::with_capacity(system.rates.len());
+        let mut fast = 0;
         for (i, row) in system.rates.iter().enumerate() {
+            let own = own(i);
+            let is_fast = rate[0] > 0.0 && all_or_none::<V>(equal(own, -rate))?;
+            let motion = if is_fast {
+                fast += 1;
+                Motion::Fast
+            } else if all_or_none::<V>(equal(own, zero))? {
+                Motion::Integral
+            } else {
+                resolved = resolved.max(-own);
+                Motion::Slow(own)
+            };
             let mut drive = substituted(row, &states);
             drive.states.retain(|(j, _)| *j != i);
-            let kind = match own[i] {
-                0.0 => Kind::Integral,
-                own if is_fast(own) => Kind::Fast,
-                own => Kind::Slow(own),
-            };
             let mut follows = Terms::new();
-            if kind == Kind::Fast && drive.states.iter().all(|&(j, _)| states[j].kind != Kind::Fast) {
-                follows = drive.states.iter().map(|&(j, weight)| (j, weight / rate)).collect();
-                let mut difference = Row { delayed: drive.delayed.clone(), ..Row::default() };
+            if is_fast {
+                for &(j, weight) in &drive.states {
+                    follows.push((j, weight / rate));
+                }
+                let mut difference = Weights { states: Terms::new(), delayed: drive.delayed };
                 for &(j, weight) in &follows {
-                    let moves = &states[j];
+                    let moves: &State<V> = &states[j];
                     accumulate(&mut difference.states, &moves.drive.states, -weight);
                     accumulate(&mut difference.delayed, &moves.drive.delayed, -weight);
-                    if let Kind::Slow(own) = moves.kind {
+                    if let Motion::Slow(own) = moves.motion {
                         accumulate(&mut difference.states, &[(j, own)], -weight);
                     }
                 }
                 drive = difference;
             }
-            states.push(State { kind, drive, follows });
+            states.push(State { motion, drive, follows });
         }
-        let inputs = system.inputs.iter().map(|row| substituted(row, &states)).collect();
+        if fast > 1 {
+            return None;
+        }
+        let pieces = |l: usize| (resolved[l] * delay[l] / (2.0 * SLOW)).ceil().max(1.0);
+        if pieces(0) > MOST_PIECES || !(0..V::COUNT).all(|l| pieces(l) == pieces(0)) {
+            return None;
+        }
+        let mut inputs = Vec::with_capacity(system.inputs.len());
+        for row in &system.inputs {
+            inputs.push(substituted(row, &states));
+        }
         let manipulated = substituted(&system.manipulated, &states);
-        let load_estimate = system.load_estimate.as_ref().map(|row| substituted(row, &states));
+        let load_estimate = match &system.load_estimate {
+            Some(row) => Some(substituted(row, &states)),
+            None => None,
+        };
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 to 4")]
-        let pieces = pieces as u32;
+        let pieces = pieces(0) as u32;
         Some(Self { states, inputs, manipulated, load_estimate, rate, pieces })
     }
 }
 
+/// Where two numbers are the same.
+#[inline(always)]
+fn equal<V: Lanes>(a: V, b: V) -> Set {
+    a.at_most(b) & !a.below(b)
+}
+
+/// Whether these are all loops; `None` where they are some.
+#[inline(always)]
+fn all_or_none<V: Lanes>(loops: Set) -> Option<bool> {
+    let all = loops == V::every();
+    (all || loops & V::every() == Set::NONE).then_some(all)
+}
+
 /// A row in terms of the differences that stand for the fast states.
-fn substituted(row: &Row, states: &[State]) -> Row {
-    let mut new = Row { delayed: row.delayed.clone(), ..Row::default() };
+#[inline(always)]
+fn substituted<V: Lanes>(row: &Row<V>, states: &[State<V>]) -> Weights<V> {
+    let one = row.setpoint.like(1.0);
+    let mut new = Weights { states: Terms::new(), delayed: Terms::new() };
+    accumulate(&mut new.delayed, &row.delayed, one);
     for &(i, weight) in &row.states {
-        accumulate(&mut new.states, &[(i, weight)], 1.0);
+        accumulate(&mut new.states, &[(i, weight)], one);
         if let Some(state) = states.get(i) {
             accumulate(&mut new.states, &state.follows, weight);
         }
@@ -117,10 +162,11 @@ fn substituted(row: &Row, states: &[State]) -> Row {
     new
 }
 
-fn accumulate(sum: &mut Terms, terms: &[(usize, f64)], factor: f64) {
+#[inline(always)]
+fn accumulate<V: Lanes>(sum: &mut Terms<V>, terms: &[(usize, V)], factor: V) {
     for &(index, weight) in terms {
         match sum.iter_mut().find(|(i, _)| *i == index) {
-            Some((_, w)) => *w += factor * weight,
+            Some((_, sum)) => *sum = factor.times_plus(weight, *sum),
             None => sum.push((index, factor * weight)),
         }
     }

@@ -4,7 +4,7 @@
 //! segments then differ in length only.
 
 use std::collections::VecDeque;
-use std::mem::swap;
+use std::mem::{replace, swap};
 
 use super::super::cell::Outcome;
 use super::super::error::ResponseError;
@@ -14,11 +14,11 @@ use super::super::scenario::Scenario;
 use super::super::solver::{CELL_BUDGET, SETTLED, merged_events};
 use super::super::system::{Rest, System};
 use super::lanes::{Lanes, MOST, Set, agreed};
+use super::plan::Plan;
 use super::signal::LAYER_TERMS;
 use super::signals::{End, Signals, Sizes};
 use super::states::{combine, solve};
 use super::tables::INVERSE;
-use super::together::Together;
 
 /// The last two coefficients of a smooth part may change a signal by this part of its largest value so far.
 const TOLERANCE: f64 = 2e-14;
@@ -69,8 +69,8 @@ struct Piece<V: Lanes> {
 
 /// Some loops on their way through one scenario.
 pub(super) struct Propagation<'a, V: Lanes> {
-    systems: &'a [&'a System],
-    plan: &'a Together<V>,
+    system: &'a System<V>,
+    plan: &'a Plan<V>,
     delay: V,
     /// States, deviations from the point of rest; of a fast state its difference from what it follows.
     states: Vec<V>,
@@ -80,7 +80,7 @@ pub(super) struct Propagation<'a, V: Lanes> {
     now: [Instant; MOST],
     setpoint: f64,
     load: f64,
-    rests: Vec<Rest>,
+    rest: Rest<V>,
     /// Largest bounds on states and inputs so far.
     scales: Vec<V>,
     /// Largest values of the inputs at ends of segments so far.
@@ -101,21 +101,21 @@ pub(super) struct Propagation<'a, V: Lanes> {
 
 impl<'a, V: Lanes> Propagation<'a, V> {
     #[inline(always)]
-    pub(super) fn new(systems: &'a [&'a System], plan: &'a Together<V>) -> Self {
+    pub(super) fn new(system: &'a System<V>, plan: &'a Plan<V>) -> Self {
         let (token, n) = (plan.rate.token(), plan.states.len());
         let zero = V::zero(token);
         let inputs = plan.inputs.len();
         let mut new = Self {
-            systems,
+            system,
             plan,
-            delay: V::from_fn(token, |l| systems[l].delays[0]),
+            delay: system.delays[0],
             states: vec![zero; n],
             line: VecDeque::new(),
             spare: vec![Signals::zero(token); inputs],
             now: [Instant::new(0.0); MOST],
             setpoint: 0.0,
             load: 0.0,
-            rests: systems.iter().map(|system| system.rest(0.0, 0.0)).collect(),
+            rest: system.rest(0.0, 0.0),
             scales: vec![zero; n + inputs],
             values: vec![zero; inputs],
             quiet: zero.like(f64::INFINITY),
@@ -190,18 +190,19 @@ impl<'a, V: Lanes> Propagation<'a, V> {
     fn event(&mut self, setpoint: f64, load: f64) {
         self.setpoint += setpoint;
         self.load += load;
-        for (l, system) in self.systems.iter().enumerate() {
-            let before = std::mem::replace(&mut self.rests[l], system.rest(self.setpoint, self.load));
-            let jump = system.rest(setpoint, load).states;
-            for (i, state) in self.plan.states.iter().enumerate() {
-                let followed: f64 = state.follows.iter().map(|&(j, weight)| weight[l] * jump[j]).sum();
-                self.states[i][l] -= jump[i] - followed;
+        let before = replace(&mut self.rest, self.system.rest(self.setpoint, self.load));
+        let jump = self.system.rest(setpoint, load).states;
+        for (i, state) in self.plan.states.iter().enumerate() {
+            let mut followed = self.delay.like(0.0);
+            for &(j, weight) in &state.follows {
+                followed += weight * jump[j];
             }
-            for c in 0..self.plan.inputs.len() {
-                let shift = before.delayed[c] - self.rests[l].delayed[c];
-                for piece in &mut self.line {
-                    piece.channels[c].smooth[0][l] += shift;
-                }
+            self.states[i] = self.states[i] - (jump[i] - followed);
+        }
+        for c in 0..self.plan.inputs.len() {
+            let shift = before.delayed[c] - self.rest.delayed[c];
+            for piece in &mut self.line {
+                piece.channels[c].smooth[0] += shift;
             }
         }
         self.quiet = self.delay.like(0.0);
@@ -297,7 +298,7 @@ impl<'a, V: Lanes> Propagation<'a, V> {
     /// What else is shown of the segment over which `delayed` comes out and whose inputs are in `spare`, and how large all is.
     #[inline(always)]
     fn watched(&mut self, terms: usize, delayed: &[Signals<V>]) {
-        let (plan, system) = (self.plan, self.systems[0]);
+        let (plan, system) = (self.plan, self.system);
         if !system.input_is_manipulated {
             combine(&mut self.manipulated, &plan.manipulated, &self.signals, delayed, terms);
         }
@@ -381,20 +382,18 @@ impl<'a, V: Lanes> Propagation<'a, V> {
     /// Shows the segment at hand.
     #[inline(always)]
     fn show(&mut self, length: V, terms: usize, watch: &mut impl Follow<V>) {
-        let (output, states) = (self.systems[0].output, self.plan.states.len());
-        let rests = &self.rests;
-        let rest = |of: fn(&Rest) -> f64| V::from_fn(length.token(), |l| of(&rests[l]));
-        let (manipulated, manipulated_sizes) = if self.systems[0].input_is_manipulated {
+        let (output, states) = (self.system.output, self.plan.states.len());
+        let (manipulated, manipulated_sizes) = if self.system.input_is_manipulated {
             (&mut self.spare[0], self.sizes[states])
         } else {
             (&mut self.manipulated, self.sizes[states + self.spare.len()])
         };
         // States and inputs are deviations from rest: what is shown is not, and they go on as they were.
         let (state, input) = (self.signals[output].smooth[0], manipulated.smooth[0]);
-        self.signals[output].smooth[0] = state - rest(|rest| rest.error);
-        manipulated.smooth[0] = input + rest(|rest| rest.manipulated);
+        self.signals[output].smooth[0] = state - self.rest.error;
+        manipulated.smooth[0] = input + self.rest.manipulated;
         if self.plan.load_estimate.is_some() {
-            self.load_estimate.smooth[0] += rest(|rest| rest.load_estimate);
+            self.load_estimate.smooth[0] += self.rest.load_estimate;
         }
         watch.stretch(&Stretch {
             start: V::from_fn(length.token(), |l| self.now[l].seconds()),

@@ -2,9 +2,9 @@
 
 use super::super::legendre::TERMS;
 use super::lanes::Lanes;
+use super::plan::{Motion, Plan, Weights};
 use super::signals::Signals;
 use super::tables::INVERSE;
-use super::together::{Motion, Together, Weights};
 
 /// The weighted sum.
 #[inline(always)]
@@ -55,7 +55,7 @@ fn combined<'s, V: Lanes>(
 /// All states over the segment of this length in which `delayed` comes out. `drive` is storage.
 #[inline(always)]
 pub(super) fn solve<V: Lanes>(
-    plan: &Together<V>,
+    plan: &Plan<V>,
     (length, delayed): (V, &[Signals<V>]),
     terms: usize,
     start: &[V],

@@ -27,7 +27,7 @@ fn servo_and_load(horizon: f64, load_at: f64) -> Scenario {
 fn both(closed: &ClosedLoop, scenario: &Scenario) -> (Option<Response>, Response) {
     let system = System::new(closed);
     let (mut fast, mut general): (Measure, Measure) = (measure_of(scenario), measure_of(scenario));
-    let outcome = run(&system, scenario, &mut fast);
+    let outcome = run(closed, scenario, &mut fast);
     let fast = outcome.map(|outcome| response(scenario, fast, outcome.unwrap()));
     let outcome = Solver::new(&system).run(scenario, &mut general).unwrap();
     (fast, response(scenario, general, outcome))
@@ -252,23 +252,22 @@ fn many_loops_are_answered_in_their_order_whatever_the_number_of_threads() {
 fn every_instruction_set_gives_the_same_integrals() {
     use fearless_simd::{Level, Simd, f64x8};
 
-    fn on<S: Simd>(simd: S, systems: &[&System], scenario: &Scenario) -> Vec<[f64; 4]> {
-        super::integrals_of::<f64x8<S>>(simd, systems, scenario).unwrap()
+    fn on<S: Simd>(simd: S, loops: &[ClosedLoop], scenario: &Scenario) -> Vec<[f64; 4]> {
+        super::integrals_of::<f64x8<S>>(simd, loops, scenario).unwrap()
     }
     let closed = |i: i32| {
         let process =
             Process::integrating(0.0506 * (0.9 + 0.02 * f64::from(i)), Seconds(6.0 + 0.005 * f64::from(i)));
         ClosedLoop::new(&process.unwrap(), &pid(2.95, 15.0, 3.0, 33.3))
     };
-    let systems: Vec<System> = (0..8).map(|i| System::new(&closed(i))).collect();
-    let systems: Vec<&System> = systems.iter().collect();
+    let loops: Vec<ClosedLoop> = (0..8).map(closed).collect();
     let scenario = servo_and_load(200.0, 100.0);
-    let alone = systems.iter().map(|system| super::integrals(system, &scenario).unwrap());
+    let alone = loops.iter().map(|closed| super::integrals(closed, &scenario).unwrap());
     let level = Level::new();
     let found = [
-        level.as_sse2().map(|simd| on(simd, &systems, &scenario)),
-        level.as_avx2().map(|simd| on(simd, &systems, &scenario)),
-        level.as_avx512().map(|simd| on(simd, &systems, &scenario)),
+        level.as_sse2().map(|simd| on(simd, &loops, &scenario)),
+        level.as_avx2().map(|simd| on(simd, &loops, &scenario)),
+        level.as_avx512().map(|simd| on(simd, &loops, &scenario)),
     ];
     for (l, alone) in alone.enumerate() {
         for found in found.iter().flatten() {

@@ -1,6 +1,7 @@
 //! One number for each of the loops that are computed together.
 
 mod eight;
+mod number;
 mod one;
 mod set;
 #[cfg(test)]
@@ -16,7 +17,7 @@ pub(super) use set::Set;
 pub(in super::super) const MOST: usize = 8;
 
 /// A number for each of some loops; what is done with it is done for each loop by itself.
-pub(super) trait Lanes:
+pub(in super::super) trait Lanes:
     Copy
     + Add<Output = Self>
     + Sub<Output = Self>

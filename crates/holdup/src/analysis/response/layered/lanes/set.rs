@@ -6,7 +6,7 @@ use super::MOST;
 
 /// Some of the loops.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(in super::super) struct Set(u8);
+pub(in super::super::super) struct Set(u8);
 
 impl Set {
     pub(in super::super) const NONE: Self = Self(0);
