@@ -23,10 +23,11 @@ SCIPY = [PYTHON, str(PEERS / "scipy_numba.py")]
 LOOP = [str(PLACE / "loop")]
 LOOP_STEPS = (600, 1200, 2400, 4800, 9600, 12000, 19200)
 # Why a target is missed, where something is known about it: (work, against) → sentence. To be kept true by hand.
-LAYERS = ("the layers of the filter are carried exactly from dead time to dead time; by a profile a third of the time each is "
-          "integrals of squares and the states, a tenth the sign of the error; with points, half is their evaluation, and memory")
-LANES = ("eight processes to a vector; by a profile a fifth each is integrals of squares, the states, and the sign of the error, and "
-         "a tenth each setting up the loops and loops that are not like seven others")
+LAYERS = ("the layers of the filter are carried exactly from dead time to dead time; each waits for the one before: by a "
+          "profile two fifths of the time is that, a tenth each squares, the sign of the error and bringing eight segments together; with "
+          "points, half is their evaluation and a fifth memory")
+LANES = ("eight processes to a vector; by a profile a quarter each is integrals of squares, the states, and the sign of the error; a "
+         "twentieth segments whose roots are not proven at once")
 BUSY = "a processor shared with others: the same run took up to 1.8 times its least time within minutes"
 REASONS = {
     ("W1", "python-control, 20 001 points"): LAYERS,

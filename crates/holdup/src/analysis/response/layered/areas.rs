@@ -4,20 +4,30 @@ use super::crossings::{MOST_ROOTS, crossings};
 use super::integrals::ROUNDING;
 use super::lanes::{Lanes, Set};
 use super::propagate::Stretch;
+use super::signals::Remainder;
 use super::squares::{Decided, dot};
 use super::tables::{INVERSE, TABLES};
 
 /// `∫|e|` and `∫t·|e|` of each loop, decided where its error changes sign at most [`MOST_ROOTS`] times, and provably so.
-pub(super) fn areas<V: Lanes>(stretch: &Stretch<'_, V>, so_far: (V, V)) -> Decided<(V, V)> {
+/// `left` is what is left of the layer.
+pub(super) fn areas<V: Lanes>(
+    stretch: &Stretch<'_, V>,
+    so_far: (V, V),
+    left: &mut Remainder<V>,
+) -> Decided<(V, V)> {
     V::widest(
         stretch.length.token(),
         #[inline(always)]
-        || of_magnitudes(stretch, so_far),
+        || of_magnitudes(stretch, so_far, left),
     )
 }
 
 #[inline(always)]
-fn of_magnitudes<V: Lanes>(stretch: &Stretch<'_, V>, so_far: (V, V)) -> Decided<(V, V)> {
+fn of_magnitudes<V: Lanes>(
+    stretch: &Stretch<'_, V>,
+    so_far: (V, V),
+    left: &mut Remainder<V>,
+) -> Decided<(V, V)> {
     let e = stretch.deviation;
     let zero = stretch.length.like(0.0);
     let layer_size = stretch.deviation_sizes.layer;
@@ -25,14 +35,12 @@ fn of_magnitudes<V: Lanes>(stretch: &Stretch<'_, V>, so_far: (V, V)) -> Decided<
     let (mut total, mut moment) = totals(stretch);
     let end = stretch.start + stretch.length;
     let mut layer_end = zero;
-    let layer = &e.layer[..stretch.terms];
-    let left = stretch.end.area(layer, zero);
     let floor = stretch.rate * ROUNDING;
     let (iae, itae) = (so_far.0 + total.abs(), so_far.1 + moment.abs());
-    let ended = left.all_at_most(floor * iae) && (left * end).all_at_most(floor * itae);
+    let ended = left.area.all_at_most(floor * iae) && (left.area * end).all_at_most(floor * itae);
     if stretch.terms > 0 && !ended {
         let theta = stretch.rate * stretch.length;
-        let later = stretch.end.shifted(&e.layer, stretch.terms);
+        let later = left.layer(stretch.end, &e.layer, stretch.terms);
         layer_end = later[0];
         let (all, first) = of_layer(&later[..stretch.terms], zero);
         let (area, weighted) = with_layer(stretch, stretch.terms, (all, first + theta * all), (zero, zero));
@@ -177,7 +185,9 @@ mod tests {
             manipulated_sizes: error.sizes(3),
             load_estimate: None,
         };
-        let ((area, moment), known) = areas(&stretch, (all(0.0), all(0.0)));
+        let mut left = Remainder::new(token);
+        left.begin(&end, &error.layer, 3);
+        let ((area, moment), known) = areas(&stretch, (all(0.0), all(0.0)), &mut left);
         (0..V::COUNT).map(|l| known.has(l).then(|| (area[l], moment[l]))).collect()
     }
 

@@ -9,7 +9,7 @@ use super::integrals::{Found, Sums, integrals, of_one};
 use super::lanes::{Lanes, One};
 use super::propagate::{Follow, Stretch};
 use super::segment::Segment;
-use super::signals::{End, Signals};
+use super::signals::{End, Remainder, Signals};
 
 /// Segments that wait for their integrals, one in each lane.
 struct Group<V: Lanes> {
@@ -23,6 +23,8 @@ struct Group<V: Lanes> {
     error: Signals<V>,
     manipulated: Signals<V>,
     end: End<V>,
+    /// Storage.
+    left: [Remainder<V>; 2],
 }
 
 /// Coefficients of a smooth part and of a layer.
@@ -45,6 +47,7 @@ impl<V: Lanes> Group<V> {
             error: signals.clone(),
             manipulated: signals,
             end: End::new(token),
+            left: [Remainder::new(token), Remainder::new(token)],
         }
     }
 
@@ -102,7 +105,7 @@ impl<V: Lanes> Group<V> {
             itae: self.start.like(measure.itae),
             energy: self.start.like(measure.energy),
         };
-        let Found { sums, squares_known, areas_known } = integrals(&stretch, so_far);
+        let Found { sums, squares_known, areas_known } = integrals(&stretch, so_far, &mut self.left);
         for l in 0..count {
             if squares_known.has(l) {
                 measure.ise += sums.ise[l];

@@ -7,6 +7,7 @@ use super::lanes::{Lanes, Set};
 use super::propagate::{Follow, Stretch};
 use super::segment::Segment;
 use super::signal::Signal;
+use super::signals::Remainder;
 use super::squares::squares;
 
 /// A part of a sum below this is left out: a hundred of them are 2e-12.
@@ -28,24 +29,30 @@ pub(super) struct Found<V> {
     pub(super) areas_known: Set,
 }
 
-/// The integrals over a stretch; `so_far` are the sums they are added to.
+/// The integrals over a stretch; `so_far` are the sums they are added to. `left` is storage.
 #[inline(always)]
-pub(super) fn integrals<V: Lanes>(stretch: &Stretch<'_, V>, so_far: Sums<V>) -> Found<V> {
-    let ((ise, errors_known), (energy, outputs_known)) = squares(stretch, (so_far.ise, so_far.energy));
-    let ((iae, itae), areas_known) = areas(stretch, (so_far.iae, so_far.itae));
+pub(super) fn integrals<V: Lanes>(
+    stretch: &Stretch<'_, V>,
+    so_far: Sums<V>,
+    left: &mut [Remainder<V>; 2],
+) -> Found<V> {
+    let ((ise, errors_known), (energy, outputs_known)) = squares(stretch, (so_far.ise, so_far.energy), left);
+    let ((iae, itae), areas_known) = areas(stretch, (so_far.iae, so_far.itae), &mut left[0]);
     Found { sums: Sums { iae, ise, itae, energy }, squares_known: errors_known & outputs_known, areas_known }
 }
 
 /// The integrals of each loop so far.
 pub(super) struct Integrals<V> {
     sums: Sums<V>,
+    /// Storage.
+    left: [Remainder<V>; 2],
 }
 
 impl<V: Lanes> Integrals<V> {
     pub(super) fn new(token: V::Token) -> Self {
         let zero = V::zero(token);
         let sums = Sums { iae: zero, ise: zero, itae: zero, energy: zero };
-        Self { sums }
+        Self { sums, left: [Remainder::new(token), Remainder::new(token)] }
     }
 
     /// IAE, ISE, ITAE and control energy of the first so many loops.
@@ -88,7 +95,7 @@ pub(super) fn of_one<V: Lanes>(stretch: &Stretch<'_, V>, l: usize, of: impl FnOn
 impl<V: Lanes> Follow<V> for Integrals<V> {
     #[inline(always)]
     fn stretch(&mut self, stretch: &Stretch<'_, V>) {
-        let Found { sums: more, squares_known, areas_known } = integrals(stretch, self.sums);
+        let Found { sums: more, squares_known, areas_known } = integrals(stretch, self.sums, &mut self.left);
         let sums = &mut self.sums;
         sums.ise = (sums.ise + more.ise).only_in(squares_known, sums.ise);
         sums.energy = (sums.energy + more.energy).only_in(squares_known, sums.energy);

@@ -72,7 +72,8 @@ pub(super) struct Propagation<'a, V: Lanes> {
     system: &'a System<V>,
     plan: &'a Plan<V>,
     delay: V,
-    /// States, deviations from the point of rest; of a fast state its difference from what it follows.
+    /// States, deviations from the point of rest; of a fast state its difference from what it follows. Within a segment their
+    /// smooth parts at its end.
     states: Vec<V>,
     line: VecDeque<Piece<V>>,
     /// Storage for what goes in next.
@@ -287,7 +288,7 @@ impl<'a, V: Lanes> Propagation<'a, V> {
             channel.layer[piece.terms..terms].fill(length.like(0.0));
         }
         let delayed = &piece.channels;
-        solve(plan, (length, delayed), terms, &self.states, &mut self.signals, &mut self.drive);
+        solve(plan, (length, delayed), terms, &mut self.states, &mut self.signals, &mut self.drive);
         for (input, row) in self.spare.iter_mut().zip(&plan.inputs) {
             combine(input, row, &self.signals, delayed, terms);
         }
@@ -321,7 +322,7 @@ impl<'a, V: Lanes> Propagation<'a, V> {
         let kept = self.cut(terms)?;
         let zero = length.like(0.0);
         for (state, signal) in self.states.iter_mut().zip(&self.signals) {
-            *state = signal.smooth_ends().1 + self.end.value(&signal.layer[..terms], zero);
+            *state += self.end.value(&signal.layer[..terms], zero);
         }
         self.quiet = (self.quiet + length).only_in(quiet, zero);
         self.advance(length);

@@ -143,7 +143,7 @@ impl<V: Lanes> Signals<V> {
         let mut second = self.clone();
         restrict(&mut self.smooth[..second.order], s.like(-1.0), s);
         restrict(&mut second.smooth[..self.order], s, s.like(1.0));
-        second.layer = end.shifted(&second.layer, terms);
+        end.shift(&mut second.layer, terms);
         second
     }
 }
@@ -242,15 +242,53 @@ impl<V: Lanes> End<V> {
 
     /// Coefficients of a layer of so many terms about this point: `q_j → e^(−θ)·Σ q_(j+i)·θ^i/i!`.
     #[inline(always)]
-    pub(super) fn shifted(&self, layer: &[V; LAYER_TERMS], terms: usize) -> [V; LAYER_TERMS] {
+    pub(super) fn shift(&self, layer: &mut [V; LAYER_TERMS], terms: usize) {
         let zero = layer[0].like(0.0);
-        let mut shifted = [zero; LAYER_TERMS];
-        shifted[..terms].copy_from_slice(&layer[..terms]);
+        // The last blocks of sums that begin within a block end beyond it.
+        layer[terms..LAYER_TERMS.min(terms + BLOCK)].fill(zero);
         for j in 0..terms {
             let to = LAYER_TERMS.min(j + in_blocks(terms - j));
-            shifted[j] = self.value(&shifted[j..to], zero);
+            layer[j] = self.value(&layer[j..to], zero);
         }
-        shifted
+    }
+}
+
+/// What is left of a layer at the end of a stretch.
+pub(super) struct Remainder<V> {
+    /// A bound on its integral over θ, its sign left out.
+    pub(super) area: V,
+    layer: [V; LAYER_TERMS],
+    is_known: bool,
+}
+
+impl<V: Lanes> Remainder<V> {
+    #[inline(always)]
+    pub(super) fn new(token: V::Token) -> Self {
+        let zero = V::zero(token);
+        Self { area: zero, layer: [zero; LAYER_TERMS], is_known: false }
+    }
+
+    /// Becomes that of a layer of so many terms.
+    #[inline(always)]
+    pub(super) fn begin(&mut self, end: &End<V>, layer: &[V; LAYER_TERMS], terms: usize) {
+        self.area = end.area(&layer[..terms], layer[0].like(0.0));
+        self.is_known = false;
+    }
+
+    /// Its coefficients about the end, found when first asked for.
+    #[inline(always)]
+    pub(super) fn layer(
+        &mut self,
+        end: &End<V>,
+        layer: &[V; LAYER_TERMS],
+        terms: usize,
+    ) -> &[V; LAYER_TERMS] {
+        if !self.is_known {
+            self.layer[..terms].copy_from_slice(&layer[..terms]);
+            end.shift(&mut self.layer, terms);
+            self.is_known = true;
+        }
+        &self.layer
     }
 }
 
@@ -302,6 +340,8 @@ mod tests {
             let power = |base: f64| V::all(token, base.powi(i32::try_from(j).unwrap()));
             (signals.smooth[j], signals.layer[j]) = (power(0.7), power(-0.6));
         }
+        // Beyond its terms a layer means nothing.
+        signals.layer[12..].fill(V::all(token, 1e3));
         let mut end = End::new(token);
         end.move_to(V::all(token, theta), 12);
         let mut first = signals.clone();

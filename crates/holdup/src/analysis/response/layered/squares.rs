@@ -7,20 +7,28 @@ use super::integrals::ROUNDING;
 use super::lanes::{Lanes, Set};
 use super::propagate::Stretch;
 use super::signal::LAYER_TERMS;
-use super::signals::{BLOCK, Signals, Sizes, in_chains};
+use super::signals::{BLOCK, Remainder, Signals, Sizes, in_chains};
 use super::tables::{Points, TABLES};
 
 /// Sums of several loops, and the loops for which they are decided.
 pub(super) type Decided<T> = (T, Set);
 
 /// `∫e²` and `∫u²`; `so_far` are the sums they are added to.
-pub(super) fn squares<V: Lanes>(stretch: &Stretch<'_, V>, so_far: (V, V)) -> (Decided<V>, Decided<V>) {
+pub(super) fn squares<V: Lanes>(
+    stretch: &Stretch<'_, V>,
+    so_far: (V, V),
+    [left_of_errors, left_of_outputs]: &mut [Remainder<V>; 2],
+) -> (Decided<V>, Decided<V>) {
     V::widest(
         stretch.length.token(),
         #[inline(always)]
         || {
-            let errors = square(stretch, (stretch.deviation, stretch.deviation_sizes), so_far.0);
-            (errors, square(stretch, (stretch.manipulated, stretch.manipulated_sizes), so_far.1))
+            let (errors, outputs) = (
+                (stretch.deviation, stretch.deviation_sizes),
+                (stretch.manipulated, stretch.manipulated_sizes),
+            );
+            let errors = square(stretch, errors, left_of_errors, so_far.0);
+            (errors, square(stretch, outputs, left_of_outputs, so_far.1))
         },
     )
 }
@@ -29,7 +37,13 @@ pub(super) fn squares<V: Lanes>(stretch: &Stretch<'_, V>, so_far: (V, V)) -> (De
 ///
 /// What a layer that lasts longer than the stretch adds beyond it is taken away again.
 #[inline(always)]
-fn square<V: Lanes>(stretch: &Stretch<'_, V>, (x, sizes): (&Signals<V>, Sizes<V>), so_far: V) -> Decided<V> {
+fn square<V: Lanes>(
+    stretch: &Stretch<'_, V>,
+    (x, sizes): (&Signals<V>, Sizes<V>),
+    left: &mut Remainder<V>,
+    so_far: V,
+) -> Decided<V> {
+    left.begin(stretch.end, &x.layer, stretch.terms);
     let smooth = smooth_square(x.smooth_blocks()) * stretch.length;
     let layer = x.layer_blocks(stretch.terms);
     let (smooth_size, size) = (sizes.swing + x.smooth[0].abs(), sizes.layer);
@@ -40,13 +54,9 @@ fn square<V: Lanes>(stretch: &Stretch<'_, V>, (x, sizes): (&Signals<V>, Sizes<V>
     let inverse = size.like(1.0) / stretch.rate;
     let mut sum = smooth;
     let mut decided = V::every();
-    let left = stretch.end.area(layer, size.like(0.0));
-    let ended = (left * (smooth_size + size) * 2.0).all_at_most(floor);
-    let later = (!ended).then(
-        #[inline(always)]
-        || stretch.end.shifted(&x.layer, stretch.terms),
-    );
-    let later = later.as_ref().map(|later| &later[..layer.len()]);
+    let ended = (left.area * (smooth_size + size) * 2.0).all_at_most(floor);
+    let later =
+        if ended { None } else { Some(&left.layer(stretch.end, &x.layer, stretch.terms)[..layer.len()]) };
     if !(size * smooth_size * 2.0).all_at_most(floor) {
         let p = (x.smooth_blocks(), x.order);
         let per_theta = inverse * 2.0 / stretch.length;

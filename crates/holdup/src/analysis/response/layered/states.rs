@@ -52,13 +52,14 @@ fn combined<'s, V: Lanes>(
     (sum.smooth[0].like(1.0), sum)
 }
 
-/// All states over the segment of this length in which `delayed` comes out. `drive` is storage.
+/// All states over the segment of this length in which `delayed` comes out. `values` are those at the start, and become those of
+/// the smooth parts at the end. `drive` is storage.
 #[inline(always)]
 pub(super) fn solve<V: Lanes>(
     plan: &Plan<V>,
     (length, delayed): (V, &[Signals<V>]),
     terms: usize,
-    start: &[V],
+    values: &mut [V],
     signals: &mut [Signals<V>],
     drive: &mut Signals<V>,
 ) {
@@ -81,7 +82,9 @@ pub(super) fn solve<V: Lanes>(
                 if terms > 0 {
                     sum_backwards(x, drive, step * weight, one, terms);
                 }
-                x.smooth[0] = start[i] - first(x, terms) - x.smooth_ends().0;
+                let (begin, end) = x.smooth_ends();
+                x.smooth[0] = values[i] - first(x, terms) - begin;
+                values[i] = end + x.smooth[0];
             }
             Motion::Slow(own) => {
                 x.order = TERMS;
@@ -101,9 +104,10 @@ pub(super) fn solve<V: Lanes>(
                     let damping = one / (one + own * step);
                     sum_backwards(x, drive, step * weight, damping, terms);
                 }
-                let missing = start[i] - first(x, terms) - x.smooth_ends().0;
+                let missing = values[i] - first(x, terms) - x.smooth_ends().0;
                 let reach = missing / all.smooth_ends().0;
                 x.add(reach, &all, 0);
+                values[i] = x.smooth_ends().1;
             }
             Motion::Fast => {
                 x.order = order;
@@ -119,7 +123,9 @@ pub(super) fn solve<V: Lanes>(
                 for j in 1..terms {
                     x.layer[j] = drive.layer[j - 1] * gain;
                 }
-                x.layer[0] = start[i] - x.smooth_ends().0;
+                let (begin, end) = x.smooth_ends();
+                x.layer[0] = values[i] - begin;
+                values[i] = end;
             }
         }
     }
