@@ -72,10 +72,21 @@ impl<V: Lanes> Group<V> {
         self.count == V::COUNT
     }
 
-    /// Adds the integrals of all segments that were taken to those of their loop, and forgets them: in closed form where that
-    /// decides, part by part where it does not.
+    /// Adds the integrals of all segments that were taken to those of their loop, and forgets them.
     #[inline(always)]
     fn add_to(&mut self, measure: &mut Measure) {
+        if self.count > 0 {
+            V::widest(
+                self.start.token(),
+                #[inline(always)]
+                || self.add_together(measure),
+            );
+        }
+    }
+
+    /// In closed form where that decides, part by part where it does not.
+    #[inline(always)]
+    fn add_together(&mut self, measure: &mut Measure) {
         // Signals of the lanes that are left are zero; they need a length.
         for l in self.count..V::COUNT {
             (self.start[l], self.length[l], self.rate[l]) = (self.start[0], self.length[0], self.rate[0]);
@@ -156,20 +167,9 @@ impl<V: Lanes> OfOne<V> {
     /// IAE, ISE, ITAE and control energy.
     #[inline(always)]
     pub(super) fn finish(mut self) -> [f64; 4] {
-        self.add();
+        self.group.add_to(&mut self.measure);
         let Measure { iae, ise, itae, energy, .. } = self.measure;
         [iae, ise, itae, energy]
-    }
-
-    #[inline(always)]
-    fn add(&mut self) {
-        if self.group.count > 0 {
-            V::widest(
-                self.group.start.token(),
-                #[inline(always)]
-                || self.group.add_to(&mut self.measure),
-            );
-        }
     }
 }
 
@@ -182,7 +182,7 @@ impl<S: Simd> Follow<One<S>> for OfOne<f64x8<S>> {
             |x| Coefficients { smooth: &x.smooth[..x.order], layer: &x.layer[..stretch.terms] },
         );
         if self.group.push([stretch.start[0], stretch.length[0], stretch.rate[0]], signals) {
-            self.add();
+            self.group.add_to(&mut self.measure);
         }
     }
 }
@@ -199,7 +199,10 @@ impl fmt::Debug for Gathered {
 
 /// What [`Group`] does, whatever its instructions are.
 trait Gather {
+    /// Takes a segment; true if there is no room for another one.
     fn take(&mut self, segment: &Segment<'_>) -> bool;
+
+    /// Adds the integrals of all segments that were taken, and forgets them.
     fn add(&mut self, measure: &mut Measure);
 }
 
@@ -211,13 +214,7 @@ impl<V: Lanes> Gather for Group<V> {
     }
 
     fn add(&mut self, measure: &mut Measure) {
-        if self.count > 0 {
-            V::widest(
-                self.start.token(),
-                #[inline(always)]
-                || self.add_to(measure),
-            );
-        }
+        self.add_to(measure);
     }
 }
 
