@@ -19,36 +19,42 @@ pub(super) trait Number:
 {
     /// Says which instructions there are.
     type Token: Copy;
+
     fn token(self) -> Self::Token;
 
     /// The same number for all.
-    fn same(token: Self::Token, value: f64) -> Self;
+    fn all(token: Self::Token, value: f64) -> Self;
 
     /// The number of each loop.
-    fn each(token: Self::Token, of: impl Fn(usize) -> f64) -> Self;
+    fn from_fn(token: Self::Token, of: impl Fn(usize) -> f64) -> Self;
 
-    fn magnitude(self) -> Self;
+    fn abs(self) -> Self;
 
     /// The larger of each two numbers.
-    fn larger(self, other: Self) -> Self;
+    fn max(self, other: Self) -> Self;
 
     /// The smallest of the numbers.
-    fn least(self) -> f64;
+    fn smallest(self) -> f64;
 
     /// Whether all are 0.
     fn is_zero(self) -> bool;
 
-    /// Another number for all.
     #[inline(always)]
-    fn alike(self, value: f64) -> Self {
-        Self::same(self.token(), value)
+    fn zero(token: Self::Token) -> Self {
+        Self::all(token, 0.0)
+    }
+
+    /// Another number for all, computed with the same instructions.
+    #[inline(always)]
+    fn like(self, value: f64) -> Self {
+        Self::all(self.token(), value)
     }
 
     /// Whether all are finite.
     #[inline(always)]
     fn is_finite(self) -> bool {
         // What is infinite or no number becomes no number.
-        (self * self.alike(0.0)).is_zero()
+        (self * self.like(0.0)).is_zero()
     }
 }
 
@@ -59,27 +65,27 @@ impl Number for f64 {
     fn token(self) {}
 
     #[inline(always)]
-    fn same((): (), value: f64) -> Self {
+    fn all((): (), value: f64) -> Self {
         value
     }
 
     #[inline(always)]
-    fn each((): (), of: impl Fn(usize) -> f64) -> Self {
+    fn from_fn((): (), of: impl Fn(usize) -> f64) -> Self {
         of(0)
     }
 
     #[inline(always)]
-    fn magnitude(self) -> Self {
-        self.abs()
+    fn abs(self) -> Self {
+        Self::abs(self)
     }
 
     #[inline(always)]
-    fn larger(self, other: Self) -> Self {
-        self.max(other)
+    fn max(self, other: Self) -> Self {
+        Self::max(self, other)
     }
 
     #[inline(always)]
-    fn least(self) -> f64 {
+    fn smallest(self) -> f64 {
         self
     }
 

@@ -30,7 +30,7 @@ pub(super) struct Row<T = f64> {
 impl<T: Number> Row<T> {
     #[inline(always)]
     fn zero(token: T::Token) -> Self {
-        let zero = T::same(token, 0.0);
+        let zero = T::all(token, 0.0);
         Self { states: Terms::new(), delayed: Terms::new(), setpoint: zero, load: zero, setpoint_rate: zero }
     }
 
@@ -42,7 +42,7 @@ impl<T: Number> Row<T> {
             if weight == 0.0 {
                 continue;
             }
-            let weight = T::each(token, |l| of(l).terms()[k].1);
+            let weight = T::from_fn(token, |l| of(l).terms()[k].1);
             match source {
                 Source::Setpoint => row.setpoint += weight,
                 Source::SetpointRate => row.setpoint_rate += weight,
@@ -63,7 +63,7 @@ impl<T: Number> Row<T> {
     /// The sum for given values of its sources.
     #[inline(always)]
     fn of(&self, point: &[T], states: usize, (setpoint, load): (T, T)) -> T {
-        let mut sum = setpoint.alike(0.0);
+        let mut sum = setpoint.like(0.0);
         for &(i, weight) in &self.states {
             sum += weight * point[i];
         }
@@ -195,7 +195,7 @@ impl<T: Number> System<T> {
                 #[inline(always)]
                 |l| &loops(l).channels()[c].input,
             ));
-            delays.push(T::each(
+            delays.push(T::from_fn(
                 token,
                 #[inline(always)]
                 |l| loops(l).channels()[c].delay,
@@ -223,7 +223,7 @@ impl<T: Number> System<T> {
             same(&inputs[0].states, &manipulated.states) && same(&inputs[0].delayed, &manipulated.delayed);
         let points = equilibria(token, (&rates, &inputs), &held(first, &delays));
         let blocks = blocks(&rates);
-        let (zero, one) = (T::same(token, 0.0), T::same(token, 1.0));
+        let (zero, one) = (T::all(token, 0.0), T::all(token, 1.0));
         let mut system = Self {
             rates,
             inputs,
@@ -250,7 +250,7 @@ impl<T: Number> System<T> {
         let n = self.rates.len();
         let (states, delayed) = point.split_at(n);
         let (input, manipulated) = (&self.inputs[0], &self.manipulated);
-        let zero = at.0.alike(0.0);
+        let zero = at.0.like(0.0);
         Rest {
             error: at.0 - states[self.output],
             manipulated: if self.has_rest && self.input_is_manipulated {
@@ -274,7 +274,7 @@ impl<T: Number> System<T> {
     #[inline(always)]
     pub(super) fn rest(&self, setpoint: f64, load: f64) -> Rest<T> {
         let token = self.delays[0].token();
-        let at = (T::same(token, setpoint), T::same(token, load));
+        let at = (T::all(token, setpoint), T::all(token, load));
         let (r, d) = (&self.rest_of_setpoint, &self.rest_of_load);
         Rest {
             states: mixed(at, &r.states, &d.states),
@@ -356,7 +356,7 @@ fn equilibria<T: Number>(
 ) -> Option<[Point<T>; 2]> {
     let (n, channels) = (rates.len(), inputs.len());
     let size = n + channels;
-    let (zero, one) = (T::same(token, 0.0), T::same(token, 1.0));
+    let (zero, one) = (T::all(token, 0.0), T::all(token, 1.0));
     let mut matrix: SmallVec<[Line<T>; 6]> = SmallVec::with_capacity(size);
     for (index, row) in rates.iter().chain(inputs).enumerate() {
         let mut line: Line<T> = smallvec![zero; size + 2];
@@ -380,7 +380,7 @@ fn equilibria<T: Number>(
         // Rows of one scale, so that the choice of the largest pivot means something.
         let mut scale = zero;
         for v in &line[..size] {
-            scale = scale.larger(v.magnitude());
+            scale = scale.max(v.abs());
         }
         if !scale.is_zero() {
             for v in &mut line {
@@ -409,7 +409,7 @@ fn equilibria<T: Number>(
         let (pivot_row, after) = rest.split_first_mut()?;
         let (mut column, mut most) = (0, 0.0);
         for (k, v) in pivot_row[..size].iter().enumerate() {
-            let least = v.magnitude().least();
+            let least = v.abs().smallest();
             if least >= most {
                 (column, most) = (k, least);
             }

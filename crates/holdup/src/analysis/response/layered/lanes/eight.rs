@@ -3,6 +3,7 @@
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f64x8};
 
+use super::super::super::number::Number;
 use super::super::tables::INVERSE;
 use super::{Lanes, Set};
 
@@ -21,9 +22,8 @@ const TAYLOR: [f64; 14] = {
     table
 };
 
-impl<S: Simd> Lanes for f64x8<S> {
+impl<S: Simd> Number for f64x8<S> {
     type Token = S;
-    const COUNT: usize = 8;
 
     #[inline(always)]
     fn token(self) -> S {
@@ -36,8 +36,12 @@ impl<S: Simd> Lanes for f64x8<S> {
     }
 
     #[inline(always)]
-    fn widest<R>(token: S, job: impl FnOnce() -> R) -> R {
-        token.vectorize(job)
+    fn from_fn(token: S, of: impl Fn(usize) -> f64) -> Self {
+        let mut lanes = Self::splat(token, 0.0);
+        for l in 0..Self::COUNT {
+            lanes[l] = of(l);
+        }
+        lanes
     }
 
     #[inline(always)]
@@ -48,6 +52,25 @@ impl<S: Simd> Lanes for f64x8<S> {
     #[inline(always)]
     fn max(self, other: Self) -> Self {
         SimdBase::max(self, other)
+    }
+
+    #[inline(always)]
+    fn smallest(self) -> f64 {
+        self.reduce_min()
+    }
+
+    #[inline(always)]
+    fn is_zero(self) -> bool {
+        Number::abs(self).all_at_most(self.like(0.0))
+    }
+}
+
+impl<S: Simd> Lanes for f64x8<S> {
+    const COUNT: usize = 8;
+
+    #[inline(always)]
+    fn widest<R>(token: S, job: impl FnOnce() -> R) -> R {
+        token.vectorize(job)
     }
 
     #[inline(always)]
@@ -88,11 +111,6 @@ impl<S: Simd> Lanes for f64x8<S> {
     #[inline(always)]
     fn largest(self) -> f64 {
         self.reduce_max()
-    }
-
-    #[inline(always)]
-    fn smallest(self) -> f64 {
-        self.reduce_min()
     }
 }
 

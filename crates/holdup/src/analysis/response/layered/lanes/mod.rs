@@ -1,13 +1,14 @@
 //! One number for each of the loops that are computed together.
 
 mod eight;
-mod number;
 mod one;
 mod set;
 #[cfg(test)]
 mod tests;
 
-use std::ops::{Add, AddAssign, Div, Index, IndexMut, Mul, Neg, Sub};
+use std::ops::{Index, IndexMut, Mul};
+
+use super::super::number::Number;
 
 pub(in super::super) use eight::exponential;
 pub(super) use one::One;
@@ -18,34 +19,13 @@ pub(in super::super) const MOST: usize = 8;
 
 /// A number for each of some loops; what is done with it is done for each loop by itself.
 pub(in super::super) trait Lanes:
-    Copy
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + Mul<f64, Output = Self>
-    + Div<Output = Self>
-    + Neg<Output = Self>
-    + AddAssign
-    + Index<usize, Output = f64>
-    + IndexMut<usize>
+    Number + Mul<f64, Output = Self> + Index<usize, Output = f64> + IndexMut<usize>
 {
-    /// Says which instructions there are.
-    type Token: Copy;
     /// Number of loops.
     const COUNT: usize;
 
-    fn token(self) -> Self::Token;
-
-    /// The same number for all.
-    fn all(token: Self::Token, value: f64) -> Self;
-
     /// Does this with the widest instructions there are: to be called with closures that are inlined, as all they call is.
     fn widest<R>(token: Self::Token, job: impl FnOnce() -> R) -> R;
-
-    fn abs(self) -> Self;
-
-    /// The larger of each two numbers.
-    fn max(self, other: Self) -> Self;
 
     /// The smaller of each two numbers.
     fn min(self, other: Self) -> Self;
@@ -68,36 +48,10 @@ pub(in super::super) trait Lanes:
     /// `e^(−self)` for numbers from 0 to 700.
     fn decayed(self) -> Self;
 
-    #[inline(always)]
-    fn zero(token: Self::Token) -> Self {
-        Self::all(token, 0.0)
-    }
-
-    /// Another number for all, computed with the same instructions.
-    #[inline(always)]
-    fn like(self, value: f64) -> Self {
-        Self::all(self.token(), value)
-    }
-
-    #[inline(always)]
-    fn from_fn(token: Self::Token, of: impl Fn(usize) -> f64) -> Self {
-        let mut lanes = Self::zero(token);
-        for l in 0..Self::COUNT {
-            lanes[l] = of(l);
-        }
-        lanes
-    }
-
     /// The largest of the numbers.
     #[inline(always)]
     fn largest(self) -> f64 {
         (0..Self::COUNT).fold(f64::NEG_INFINITY, |most, l| if self[l] > most { self[l] } else { most })
-    }
-
-    /// The smallest of the numbers.
-    #[inline(always)]
-    fn smallest(self) -> f64 {
-        (0..Self::COUNT).fold(f64::INFINITY, |least, l| if self[l] < least { self[l] } else { least })
     }
 
     /// Every loop.

@@ -4,6 +4,7 @@ use std::ops::{Add, AddAssign, Div, Index, IndexMut, Mul, Neg, Sub};
 
 use fearless_simd::Simd;
 
+use super::super::super::number::Number;
 use super::{Lanes, Set};
 
 /// A single loop, with the instructions that a token stands for.
@@ -83,9 +84,8 @@ fn is_fused<S: Simd>(token: S) -> bool {
     return cfg!(target_arch = "aarch64") && !token.level().is_fallback();
 }
 
-impl<S: Simd> Lanes for One<S> {
+impl<S: Simd> Number for One<S> {
     type Token = S;
-    const COUNT: usize = 1;
 
     #[inline(always)]
     fn token(self) -> S {
@@ -98,8 +98,8 @@ impl<S: Simd> Lanes for One<S> {
     }
 
     #[inline(always)]
-    fn widest<R>(token: S, job: impl FnOnce() -> R) -> R {
-        token.vectorize(job)
+    fn from_fn(token: S, of: impl Fn(usize) -> f64) -> Self {
+        Self { value: of(0), token }
     }
 
     #[inline(always)]
@@ -110,6 +110,25 @@ impl<S: Simd> Lanes for One<S> {
     #[inline(always)]
     fn max(self, other: Self) -> Self {
         if other.value > self.value { other } else { self }
+    }
+
+    #[inline(always)]
+    fn smallest(self) -> f64 {
+        self.value
+    }
+
+    #[inline(always)]
+    fn is_zero(self) -> bool {
+        self.value == 0.0
+    }
+}
+
+impl<S: Simd> Lanes for One<S> {
+    const COUNT: usize = 1;
+
+    #[inline(always)]
+    fn widest<R>(token: S, job: impl FnOnce() -> R) -> R {
+        token.vectorize(job)
     }
 
     #[inline(always)]

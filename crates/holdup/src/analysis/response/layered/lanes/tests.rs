@@ -6,7 +6,7 @@ use super::*;
 
 /// For a token, what is computed with it for all θ.
 fn decayed<S: Simd>(token: S, theta: &[f64; 8]) -> [f64; 8] {
-    let lanes = <f64x8<S> as Lanes>::from_fn(token, |l| theta[l]).decayed();
+    let lanes = <f64x8<S> as Number>::from_fn(token, |l| theta[l]).decayed();
     std::array::from_fn(|l| lanes[l])
 }
 
